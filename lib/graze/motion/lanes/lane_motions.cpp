@@ -4,14 +4,15 @@
 #include <cmath>
 #include <limits>
 
-#include "graze/flow/exact/detail/curve_terms.hpp"
+#include "graze/flow/exact/detail/term_kernels.hpp"
 #include "graze/system/scale.hpp"
 
 namespace graze {
 namespace {
 
-// More modes than terms are told apart into slow and quick ones.
-constexpr int kMostLaneModes = static_cast<int>(kMostShares) - 1;
+// Of more modes a motion by itself takes several at a time through the vector unit
+// (term_kernels.hpp), and gains nothing from its neighbours.
+constexpr int kMostLaneModes = 16;
 // Of more stops each look would ask too many for the sake of one.
 constexpr std::size_t kMostLaneStops = 8;
 

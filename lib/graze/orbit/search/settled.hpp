@@ -87,5 +87,8 @@ class SettleTasks {
   virtual void take(std::size_t place, SettledMotion motion) = 0;
 };
 void settle_side_by_side(SettleTasks& tasks);
+// One of them by itself: as it settles beside others, to the last bit.
+SettledMotion settle_in_lane(const System& system, const State& start,
+                             const SettleOptions& options);
 
 }  // namespace graze

@@ -18,7 +18,8 @@ class SideBySide {
   explicit SideBySide(SettleTasks& tasks) : tasks_(tasks) {}
 
   void finish() {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) refill(lane);
+    empty_ = (LaneSet{1} << kLanes) - 1;
+    refill();
     while (motions_ && !motions_->is_idle()) {
       const LaneArrivals arrivals = motions_->fly();
       for_each(arrivals.contacts, [&](std::size_t lane) { receive_impact(lane); });
@@ -40,8 +41,14 @@ class SideBySide {
     for (; lanes != 0; lanes &= lanes - 1) act(static_cast<std::size_t>(std::countr_zero(lanes)));
   }
 
+  // What there was no task for at first may find one later.
+  void refill() {
+    while (empty_ != 0 && refill(static_cast<std::size_t>(std::countr_zero(empty_))))
+      empty_ &= empty_ - 1;
+  }
+
   // Takes up tasks until one of them flies in the lane.
-  void refill(std::size_t lane) {
+  bool refill(std::size_t lane) {
     Place& place = places_[lane];
     while (std::optional<SettleTask> task = tasks_.next(lane)) {
       place.followed.reset();
@@ -53,7 +60,7 @@ class SideBySide {
         motions_->adopt(lane, *place.system, settling.flow(), settling.closure_speed());
         place.q.resize(place.system->modes());
         place.qdot.resize(place.system->modes());
-        if (begin(lane)) return;
+        if (begin(lane)) return true;
       } else {
         follow_to_end(place);
       }
@@ -61,6 +68,7 @@ class SideBySide {
     }
     place.settling.reset();
     place.followed.reset();
+    return false;
   }
 
   bool has_shape(const System& system) {
@@ -137,7 +145,8 @@ class SideBySide {
   void conclude(std::size_t lane) {
     motions_->drop(lane);
     tasks_.take(lane, places_[lane].settling->result());
-    refill(lane);
+    empty_ |= LaneSet{1} << lane;
+    refill();
   }
 
   // Evaluations of a flight, about; for the stop signal.
@@ -146,10 +155,32 @@ class SideBySide {
   SettleTasks& tasks_;
   std::optional<LaneMotions> motions_;
   std::array<Place, kLanes> places_{};
+  LaneSet empty_ = 0;  // places without a task
+};
+
+class OneTask : public SettleTasks {
+ public:
+  explicit OneTask(SettleTask task) : task_(std::move(task)) {}
+  std::optional<SettleTask> next(std::size_t) override {
+    return std::exchange(task_, std::nullopt);
+  }
+  void take(std::size_t, SettledMotion settled) override { motion = std::move(settled); }
+
+  SettledMotion motion;
+
+ private:
+  std::optional<SettleTask> task_;
 };
 
 }  // namespace
 
 void settle_side_by_side(SettleTasks& tasks) { SideBySide(tasks).finish(); }
+
+SettledMotion settle_in_lane(const System& system, const State& start,
+                             const SettleOptions& options) {
+  OneTask task({&system, start, options});
+  settle_side_by_side(task);
+  return std::move(task.motion);
+}
 
 }  // namespace graze

@@ -76,7 +76,8 @@ bool conclude_row(const Scene& scene, const System& system, const RowOptions& op
 bool settle_row(const Scene& scene, const System& system, const State& start,
                 const RowOptions& options, SweepRow& row) {
   return conclude_row(scene, system, options,
-                      settle(system, start, settle_options(scene, system, options, row)), row);
+                      settle_in_lane(system, start, settle_options(scene, system, options, row)),
+                      row);
 }
 
 AttractorClass attractor_class(const SweepRow& row) {

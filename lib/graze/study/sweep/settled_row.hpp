@@ -92,7 +92,7 @@ SettleOptions settle_options(const Scene& scene, const System& system, const Row
 bool conclude_row(const Scene& scene, const System& system, const RowOptions& options,
                   SettledMotion motion, SweepRow& row);
 
-// Both, with the settling between them.
+// Both, with the settling between them: the row that it is beside others, to the last bit.
 bool settle_row(const Scene& scene, const System& system, const State& start,
                 const RowOptions& options, SweepRow& row);
 
