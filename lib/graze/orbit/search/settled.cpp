@@ -164,15 +164,16 @@ class Settling {
     if (approached_) return come_nearer();
     const int p = repetition();
     if (p == 0) return;
-    const Pattern motion = pattern_of_last(p);
-    const bool contacts = history_.contacts_since(history_.periods() - p).any;
-    const bool impacts_alone = motion.pattern.impacts() > 0 && !contacts;
+    const long long from = history_.periods() - p;
+    const bool contacts = history_.contacts_since(from).any;
+    const bool impacts_alone = history_.impact_count_since(from) > 0 && !contacts;
     if (!options_.nearness) {
       // A drift too slow to see may still lead to the stop: being clear of it takes certainty.
       if (impacts_alone || contacts) conclude_periodic(p);
       return;
     }
     if (impacts_alone && history_.periods() >= next_solve_) {
+      const Pattern motion = pattern_of_last(p);
       approached_ = nearby_orbit(system_, motion.pattern, motion.points);
       if (approached_ && approached_->stable == true) {
         solved_at_ = history_.periods();
@@ -225,21 +226,18 @@ class Settling {
 
   // The smallest p after which the motion repeats, or 0.
   int repetition() const {
-    for (int p = 1; p <= options_.longest_period; ++p)
-      if (history_.repeats(p, kRepetitions, kRepeats)) return p;
-    return 0;
+    return history_.repetition(options_.longest_period, kRepetitions, kRepeats);
   }
 
   bool conclude_clear() {
-    const State now{motion_.q(), motion_.qdot()};
-    const std::optional<State> steady = clear_for_ever(system_, motion_.flow(), now);
-    if (!steady) return false;
+    if (!clearance_) clearance_.emplace(system_, motion_.flow());
+    if (!clearance_->is_sure(motion_.q(), motion_.qdot())) return false;
     result_.kind = SettledKind::kClear;
     result_.period = 1;
     result_.near = true;
     result_.remaining = 0.0;
-    result_.at_start = result_.at_end = *steady;
-    result_.period_states = {*steady};
+    result_.at_start = result_.at_end = clearance_->steady();
+    result_.period_states = {clearance_->steady()};
     end_clear();
     return true;
   }
@@ -340,6 +338,7 @@ class Settling {
   MotionWalk<double> walk_;
   PeriodHistory history_;
   MotionScale scale_;
+  std::optional<LastingClearance> clearance_;  // once a period passes without a contact
   std::optional<NearbyOrbit> approached_;  // stable; solved for when the motion began to repeat
   double left_ = 0.0;                      // distance from it, one repetition ago at most
   long long solved_at_ = 0, next_solve_ = 0, leaving_until_ = 0;  // periods
