@@ -22,9 +22,7 @@ double beyond_rounding(double difference, double rounding) {
 // Of the phases and relative speeds of two impacts whose speeds add up to this; `speed` is their
 // scale. A speed that is left over from the forced velocities has their rounding, and the smaller
 // it is, the less its instant is known.
-double impact_rounding(double speeds, double speed) {
-  return kRounding * (1.0 + speed / speeds);
-}
+double impact_rounding(double speeds, double speed) { return kRounding * (1.0 + speed / speeds); }
 
 }  // namespace
 
@@ -58,6 +56,8 @@ void PeriodHistory::end_period(const Vector& q, const Vector& qdot, Contacts con
     period.phase = impacts_[counted_].phase;
     period.speed = impacts_[counted_].speed;
   }
+  if (periods() > 0) period.counts = periods_[periods() - 1].counts << 8;
+  period.counts |= static_cast<std::uint64_t>(std::min(period.impacts, 255));
   periods_.push(period);
   counted_ = impacts_.end();
   push_state(period_states_, q, qdot);
@@ -135,15 +135,16 @@ double PeriodHistory::state_difference(long long period, int p) const {
   return beyond_rounding(largest, kRounding);
 }
 
-// Most motions are told from what they were p periods ago by how many impacts the last period has,
-// or by the first of them.
+// Most motions are told from what they were p periods ago by how many impacts the last periods
+// have, or by the first impact of the last one.
 int PeriodHistory::repetition(int longest, int repetitions, double tolerance) const {
   const long long most = std::min<long long>(longest, (periods() - oldest()) / repetitions);
   if (most <= 0) return 0;
   const Period& now = periods_[periods() - 1];
   for (int p = 1; p <= static_cast<int>(most); ++p) {
     const Period& then = periods_[periods() - 1 - p];
-    if (now.impacts != then.impacts) continue;
+    const int compared = std::min((repetitions - 1) * p, 8);
+    if ((now.counts ^ then.counts) << (64 - 8 * compared) != 0) continue;
     const double difference = std::abs(now.phase - then.phase);
     if (difference > tolerance &&
         difference > impact_rounding(std::abs(now.speed) + std::abs(then.speed), speed_))

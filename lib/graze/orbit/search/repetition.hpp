@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "graze/orbit/problem/impact_pattern.hpp"
@@ -57,8 +58,8 @@ class PeriodHistory {
   std::vector<State> states_before_impacts_since(long long from) const;
   Contacts contacts_since(long long from) const;
 
-  // The smallest p up to `longest` after which the motion repeats, or 0: the last `repetitions`
-  // times p periods are known, and in them the same stops are hit, at phases (rad) and relative
+  // The smallest p up to `longest` after which the motion repeats, or 0: the last `repetitions` (>=
+  // 2) times p periods are known, and in them the same stops are hit, at phases (rad) and relative
   // speeds that agree to `tolerance`; without any impact the states do.
   int repetition(int longest, int repetitions, double tolerance) const;
   // The largest difference between the last p periods and those before: of phases (rad), relative
@@ -94,6 +95,9 @@ class PeriodHistory {
     int impacts = 0;
     Contacts contacts;
     double phase = 0.0, speed = 0.0;  // of that impact
+    // How many impacts this period and those before it have, a byte each, the last one lowest; 255
+    // stands for more.
+    std::uint64_t counts = 0;
   };
   struct Difference {
     double impacts = 0.0, states = 0.0;

@@ -91,7 +91,8 @@ class Sprung {
   // Where the works are in z: of the forcing, by damping, of what holds, and lost in the springs.
   enum Place { kForcing, kWeight, kDissipation, kConstraint, kSprings };
   std::size_t place(std::size_t work) const { return 2 * static_cast<std::size_t>(modes()) + work; }
-  void add_powers(const State& z, const Vector& resistance, double s, State& slope);
+  // `cosine`: of the forcing phase.
+  void add_powers(const State& z, double cosine, double s, State& slope);
   // Of a structure that turns: its motion in all coordinates, what acts on it beside springs and
   // stiffness, the inertia that its shape adds, and a force that holds it.
   void spread(const State& z);
@@ -213,7 +214,8 @@ inline void Sprung::operator()(const State& z, State& slope, double s) {
   Eigen::Map<Vector> rate(slope.data(), n), acceleration(slope.data() + n, n);
   rate = scale_.cwiseProduct(velocity);
   acceleration = push_;
-  if (system_.frequency > 0.0) acceleration += force_ * std::cos(theta_ + system_.frequency * s);
+  const double cosine = system_.frequency > 0.0 ? std::cos(theta_ + system_.frequency * s) : 0.0;
+  if (system_.frequency > 0.0) acceleration += force_ * cosine;
   if (stiffness_.cols() == 1)
     acceleration -= stiffness_.col(0).cwiseProduct(moved);
   else
@@ -227,7 +229,7 @@ inline void Sprung::operator()(const State& z, State& slope, double s) {
     turn(s, acceleration, slope);
   } else {
     acceleration -= resistance_;
-    add_powers(z, resistance_, s, slope);
+    add_powers(z, cosine, s, slope);
   }
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const SprungSystem::Spring& spring = system_.springs[i];
@@ -242,17 +244,17 @@ inline void Sprung::operator()(const State& z, State& slope, double s) {
   if (system_.turning) add_inertia(acceleration);
 }
 
-inline void Sprung::add_powers(const State& z, const Vector& resistance, double s, State& slope) {
+inline void Sprung::add_powers(const State& z, double cosine, double s, State& slope) {
   const Eigen::Index n = modes();
   const Eigen::Map<const Vector> velocity(z.data() + n, n);
   const double unit = unit_ * unit_ / work_unit_;
   const auto& powers = system_.powers;
   slope[place(kForcing)] = slope[place(kWeight)] = slope[place(kConstraint)] = 0.0;
   if (system_.frequency > 0.0)
-    slope[place(kForcing)] = unit / unit_ * std::cos(theta_ + system_.frequency * s) *
-                             (powers ? powers->forcing : system_.force).dot(velocity);
+    slope[place(kForcing)] =
+        unit / unit_ * cosine * (powers ? powers->forcing : system_.force).dot(velocity);
   slope[place(kDissipation)] =
-      unit * (powers ? velocity.dot(powers->damping * velocity) : velocity.dot(resistance));
+      unit * (powers ? velocity.dot(powers->damping * velocity) : velocity.dot(resistance_));
   if (!powers) return;
   for (const SprungSystem::Holding& holding : powers->held)
     slope[place(kConstraint)] -=
