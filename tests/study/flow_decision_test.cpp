@@ -90,6 +90,19 @@ TEST(FlowDecision, ErrorsAtCompliantStops) {
   }
 }
 
+// Contacts on linear springs have closed forms as long as the modes are decomposed together.
+TEST(FlowDecision, ContactsOfManyModesAreIntegrated) {
+  Scene scene = support::shipped_scene("13_beam_on_a_spring");
+  Beam& beam = std::get<Beam>(scene.structure);
+  const auto are_integrated = [&](int modes) {
+    beam.modes = modes;
+    return flow_decision(scene).reason.find("are integrated") != std::string::npos;
+  };
+  EXPECT_FALSE(are_integrated(4));
+  EXPECT_FALSE(are_integrated(128));
+  EXPECT_TRUE(are_integrated(129));
+}
+
 TEST(FlowDecision, IsWhatTheSceneAsksFor) {
   Scene scene = support::shipped_scene("02_wagg_momentum");
   EXPECT_EQ(flow_decision(scene).flow, FlowChoice::kExact);

@@ -172,40 +172,50 @@ std::optional<double> smallest_minimum(const ArcCurve<double>& curve, int multip
   return lowest->gap;
 }
 
-std::optional<State> clear_for_ever(const System& system, const ExactFlow<double>& flow,
-                                    const State& state) {
-  if (!flow.forced()) return {};
+LastingClearance::LastingClearance(const System& system, const ExactFlow<double>& flow)
+    : omega_(system.omega), steady_{Vector(system.modes()), Vector(system.modes())} {
+  if (!flow.forced()) return;
   const double theta = flow.phase({});
   const double c = std::cos(theta), n = std::sin(theta), frequency = flow.frequency();
-  State steady{Vector(system.modes()), Vector(system.modes())};
-  Vector free(system.modes());
   for (int j = 0; j < system.modes(); ++j) {
     const ModeFlow<double>& mode = flow.mode(j);
     if (mode.kind == ModeKind::kFromRest || !(mode.omega > 0.0) || !(mode.delta > 0.0) ||
         mode.load != 0.0)
-      return {};
-    steady.q[j] = mode.offset + mode.forced.re * c - mode.forced.im * n;
-    steady.qdot[j] = -frequency * (mode.forced.re * n + mode.forced.im * c);
-    free[j] = std::hypot(state.q[j] - steady.q[j], (state.qdot[j] - steady.qdot[j]) / mode.omega);
+      return;
+    steady_.q[j] = mode.offset + mode.forced.re * c - mode.forced.im * n;
+    steady_.qdot[j] = -frequency * (mode.forced.re * n + mode.forced.im * c);
   }
   for (const Stop& stop : system.stops) {
-    double re = 0.0, im = 0.0, swing = 0.0, rest = 0.0, size = std::abs(stop.gap);
+    double re = 0.0, im = 0.0, rest = 0.0, size = std::abs(stop.gap);
     for (int j = 0; j < system.modes(); ++j) {
       const ModeFlow<double>& mode = flow.mode(j);
       const double b = stop.row[j];
       re += b * mode.forced.re;
       im += b * mode.forced.im;
-      swing += std::abs(b) * free[j];
       rest += b * mode.offset;
-      size += std::abs(b) * (std::abs(mode.forced.re) + std::abs(mode.forced.im) +
-                             std::abs(mode.offset) + std::abs(state.q[j]));
+      size += std::abs(b) *
+              (std::abs(mode.forced.re) + std::abs(mode.forced.im) + std::abs(mode.offset));
     }
-    // The sums above round once a term.
-    const double rounding =
-        4.0 * (system.modes() + 2) * std::numeric_limits<double>::epsilon() * size;
-    if (!(std::hypot(re, im) + swing + rounding < stop.gap - rest)) return {};
+    rooms_.push_back({stop.row.cwiseAbs(), stop.gap - rest - std::hypot(re, im), size});
   }
-  return steady;
+  may_be_ = true;
+}
+
+bool LastingClearance::is_sure(const Vector& q, const Vector& qdot) const {
+  if (!may_be_) return false;
+  const Eigen::Index n = omega_.size();
+  // The sums round once a term.
+  const double roundings =
+      4.0 * static_cast<double>(n + 2) * std::numeric_limits<double>::epsilon();
+  return std::all_of(rooms_.begin(), rooms_.end(), [&](const Room& room) {
+    double swing = 0.0, size = room.size;
+    for (Eigen::Index j = 0; j < n && swing < room.left; ++j) {
+      const double free = q[j] - steady_.q[j], rate = (qdot[j] - steady_.qdot[j]) / omega_[j];
+      swing += room.weights[j] * std::sqrt(free * free + rate * rate);
+      size += room.weights[j] * std::abs(q[j]);
+    }
+    return swing + roundings * size < room.left;
+  });
 }
 
 }  // namespace graze

@@ -45,7 +45,7 @@ double follow(SpringContacts& contacts, const ContactPhase<double>& phase, doubl
     deepest = std::max(deepest, highest_along(exact, depth, 0.0, flight, 0.0));
     const Observable<double> rate{
         0.0, Vector::Zero(depth.displacement.size()), depth.displacement, {}};
-    contact.lost += law.coefficient * integrals_along(exact, rate, flight).square;
+    contact.lost += law.coefficient * square_along(exact, rate, flight);
   }
   return deepest;
 }

@@ -8,9 +8,6 @@
 namespace graze {
 namespace {
 
-// Of 2 m first-order modes the decomposition takes some (2 m)^3 times 1e-8 s.
-constexpr int kMostModes = 128;
-
 bool is_linear(const ContactForce& law) {
   return law.exponent == 1.0 &&
          (law.damping == ContactDamping::kNone || law.damping == ContactDamping::kConstant);
@@ -85,7 +82,7 @@ CoupledSystem coupled_by_springs(const PhaseKey& key, const SprungEquations& giv
 }  // namespace
 
 bool suits_linear_springs(const System& system, const PhaseKey& key) {
-  if (system.modes() > kMostModes) return false;
+  if (system.modes() > kMostModesOnLinearSprings) return false;
   // A structure that its stops hold altogether has nothing that moves.
   if (static_cast<int>(key.closed.size()) >= system.modes()) return false;
   const std::vector<int> stops = stops_of(key);
@@ -115,9 +112,13 @@ std::string LinearSpringPhase::refusal() const {
   return closed().empty() ? std::string() : flow().instability();
 }
 
+// What an instant is asked for and the motion from there are one arc.
 void LinearSpringPhase::start(const double& theta, const Vector& q, const Vector& qdot,
                               const double& /*time*/) {
+  if (q_.size() > 0 && theta == theta_ && q == q_ && qdot == qdot_) return;
   forget_curves();
+  theta_ = theta;
+  q_ = q;
   qdot_ = qdot;
   depths_.clear();
   for (std::size_t k = 0; k < rows_.size(); ++k)

@@ -1,4 +1,10 @@
+#include <algorithm>
+#include <array>
 #include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
 
 #include "graze/flow/stepped/detail/step_walk.hpp"
 
@@ -23,7 +29,9 @@ struct LastStep {
 };
 template struct LastStep<&Method::m_dt_last>;
 
-// Steps and orders that their error decides; what lies within a step is reached from its start.
+// Steps and orders that their error decides; what lies within a step is reached from its start, or
+// from what was asked before it last: a search that closes in on an instant takes ever shorter
+// ways.
 template <class Rates>
 class ExtrapolatedWalk {
  public:
@@ -43,11 +51,13 @@ class ExtrapolatedWalk {
     from_ = to_ = 0.0;
     next_ = rates.first_step(longest_);
     at_start_ = at_end_ = x;
+    forget_within();
     method_.reset();
   }
   void step() {
     at_start_ = at_end_;
     from_ = to_;
+    forget_within();
     next_ = std::fmin(next_, rates.longest_step());
     for (int i = 0; i < kMostFailures; ++i)
       if (method_.try_step(std::ref(rates), at_start_, to_, at_end_, next_) == odeint::success)
@@ -57,16 +67,26 @@ class ExtrapolatedWalk {
   double to() const { return to_; }
   const State& state_at_end() const { return at_end_; }
   void between(double s, State& x) {
-    x = at_start_;
+    double at = from_;
+    const State* nearest = &at_start_;
+    for (const Known& known : known_)
+      if (known.at <= s && known.at > at) {
+        at = known.at;
+        nearest = &known.state;
+      }
+    x = *nearest;
     method_within_.reset();
-    double at = from_, next = s - from_;
+    double next = s - at;
     for (int i = 0; i < kMostFailures && at < s; ++i) {
       next = std::min(next, s - at);
       within_ = x;
       if (method_within_.try_step(std::ref(rates), within_, at, x, next) != odeint::success)
         x = within_;
     }
-    if (at < s) x.assign(x.size(), std::numeric_limits<double>::quiet_NaN());
+    if (at < s)
+      x.assign(x.size(), std::numeric_limits<double>::quiet_NaN());
+    else
+      keep_within(s, x);
   }
 
   Rates rates;
@@ -77,9 +97,27 @@ class ExtrapolatedWalk {
                   std::isfinite(setting.longest) ? setting.longest : 0.0);
   }
 
+  // A state within the step.
+  struct Known {
+    double at = std::numeric_limits<double>::infinity();
+    State state;
+  };
+  void forget_within() {
+    for (Known& known : known_) known.at = std::numeric_limits<double>::infinity();
+  }
+  // In place of one that lies after it, else of the earlier one: what is asked next is between.
+  void keep_within(double s, const State& x) {
+    const bool first_is_later = known_[0].at > known_[1].at;
+    const bool later_is_after = std::max(known_[0].at, known_[1].at) > s;
+    Known& replaced = known_[first_is_later == later_is_after ? 0 : 1];
+    replaced.at = s;
+    replaced.state = x;
+  }
+
   double longest_;
   double from_ = 0.0, to_ = 0.0, next_ = 0.0;
   State at_start_{}, at_end_{}, within_{};
+  std::array<Known, 2> known_;
   // It learns from its steps; what is asked within them is not to change them.
   Method method_, method_within_;
 };

@@ -11,7 +11,7 @@ namespace {
 Complex complex(const PlanarNumber<double>& number) { return {number.re, number.im}; }
 
 // Nothing where a mode has no exponential form.
-std::optional<Signal> signal_of(const Arc<double>& arc, const Observable<double>& observable) {
+std::optional<Signal> free_signal(const Arc<double>& arc, const Observable<double>& observable) {
   const ExactFlow<double>& flow = arc.flow();
   Complex harmonic = complex(observable.harmonic);
   const Complex turn(0.0, flow.frequency());
@@ -38,6 +38,16 @@ std::optional<Signal> signal_of(const Arc<double>& arc, const Observable<double>
   }
   if (constant != 0.0) signal.push_back({constant, 0.0});
   if (harmonic != 0.0) signal.push_back({harmonic * complex(arc.start_turn()), turn});
+  return signal;
+}
+
+// Nothing where some of the motion is no sum of exponentials.
+std::optional<Signal> signal_of(const ExactPhase<double>& phase,
+                                const Observable<double>& observable) {
+  if (const Arc<double>* arc = phase.arc()) return free_signal(*arc, observable);
+  Signal signal;
+  const auto add = [&](Complex size, Complex rate) { signal.push_back({size, rate}); };
+  if (!phase.coupled_arc()->each_term(observable, add)) return {};
   return signal;
 }
 
@@ -75,18 +85,12 @@ ArcIntegrals signal_integrals(const Signal& signal, double theta, double frequen
   ArcIntegrals integrals;
   for (const SignalTerm& term : signal)
     integrals.value += (term.size * exponential_integral(term.rate, s)).real();
-  integrals.square = product_integral(signal, signal, s);
+  integrals.square = square_integral(signal, s);
   integrals.turned = turned_integral(signal, theta, frequency, s);
   return integrals;
 }
 
-ArcIntegrals coupled_integrals(const CoupledArc& arc, const Observable<double>& observable,
-                               double s) {
-  Signal signal;
-  if (arc.each_term(observable, [&](Complex size, Complex rate) {
-        signal.push_back({size, rate});
-      }))
-    return signal_integrals(signal, arc.start_phase(), arc.flow().first_order().frequency, s);
+ArcIntegrals by_moments(const CoupledArc& arc, const Observable<double>& observable, double s) {
   const Moments moments = moments_along(arc, s);
   const Eigen::Index m = observable.displacement.size();
   const Vector weight = weights_of(observable, arc, moments);
@@ -96,15 +100,29 @@ ArcIntegrals coupled_integrals(const CoupledArc& arc, const Observable<double>& 
           {with[2 * m] / moments.unit, -with[2 * m + 1] / moments.unit}};
 }
 
+ArcIntegrals without_signal(const ExactPhase<double>& phase, const Observable<double>& observable,
+                            double s) {
+  const Arc<double>* arc = phase.arc();
+  return arc ? by_panels(phase, *arc, observable, s)
+             : by_moments(*phase.coupled_arc(), observable, s);
+}
+
 }  // namespace
 
 ArcIntegrals integrals_along(const ExactPhase<double>& phase, const Observable<double>& observable,
                              double s) {
-  const Arc<double>* arc = phase.arc();
-  if (!arc) return coupled_integrals(*phase.coupled_arc(), observable, s);
-  const std::optional<Signal> signal = signal_of(*arc, observable);
-  if (!signal) return by_panels(phase, *arc, observable, s);
-  return signal_integrals(*signal, arc->start_phase(), arc->flow().frequency(), s);
+  const std::optional<Signal> signal = signal_of(phase, observable);
+  if (!signal) return without_signal(phase, observable, s);
+  if (const Arc<double>* arc = phase.arc())
+    return signal_integrals(*signal, arc->start_phase(), arc->flow().frequency(), s);
+  const CoupledArc& arc = *phase.coupled_arc();
+  return signal_integrals(*signal, arc.start_phase(), arc.flow().first_order().frequency, s);
+}
+
+double square_along(const ExactPhase<double>& phase, const Observable<double>& observable,
+                    double s) {
+  const std::optional<Signal> signal = signal_of(phase, observable);
+  return signal ? square_integral(*signal, s) : without_signal(phase, observable, s).square;
 }
 
 }  // namespace graze

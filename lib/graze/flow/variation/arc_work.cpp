@@ -96,7 +96,7 @@ void add_by_panels(const Arc<double>& arc, int j, double s, Work& work) {
   const double turned = theta + frequency * settled;
   const Signal left{harmonic_velocity(mode, frequency, turned)};
   const Signal force{{std::polar(1.0, turned), Complex(0.0, frequency)}};
-  work.dissipation += 2.0 * mode.delta * product_integral(left, left, s - settled);
+  work.dissipation += 2.0 * mode.delta * square_integral(left, s - settled);
   work.forcing += mode.force * product_integral(force, left, s - settled);
 }
 
@@ -149,8 +149,7 @@ void add_real_modes(const Arc<double>& arc, double s, Work& work) {
       continue;
     }
     const Signal velocity = mode_velocity(arc, j);
-    if (mode.delta > 0.0)
-      work.dissipation += 2.0 * mode.delta * product_integral(velocity, velocity, s);
+    if (mode.delta > 0.0) work.dissipation += 2.0 * mode.delta * square_integral(velocity, s);
     if (flow.forced()) work.forcing += mode.force * product_integral(force, velocity, s);
   }
 }
@@ -174,7 +173,7 @@ void add_linear_springs(const ExactPhase<double>& phase, double s, Work& work) {
     if (law.damping == ContactDamping::kNone) continue;
     const Observable<double> rate{
         0.0, Vector::Zero(depth.displacement.size()), depth.displacement, {}};
-    work.contact -= law.coefficient * integrals_along(phase, rate, s).square;
+    work.contact -= law.coefficient * square_along(phase, rate, s);
   }
 }
 

@@ -59,24 +59,47 @@ ModeGrowth late_start(const ModeFlow<double>& mode, const FreeBasis<double>& bas
               (basis.cosine - mode.delta * basis.sine) * qdot};
 }
 
-Deviations modal_growth(const Arc<double>& arc, double s, const Deviations& start) {
+// What a mode adds to a deviation: of its displacement by both, of its velocity by both, and of
+// both by the delay.
+struct ModalGrowth {
+  Eigen::ArrayXd q_by_q, q_by_qdot, qdot_by_q, qdot_by_qdot;
+  Vector q_by_delay, qdot_by_delay;
+};
+
+ModalGrowth modal_growth_of(const Arc<double>& arc, double s) {
   const ExactFlow<double>& flow = arc.flow();
-  Deviations change{Matrix(start.q.rows(), start.count()), Matrix(start.q.rows(), start.count()),
-                    Eigen::RowVectorXd::Zero(start.count())};
+  const Eigen::Index n = flow.modes();
+  ModalGrowth of{Eigen::ArrayXd(n), Eigen::ArrayXd(n), Eigen::ArrayXd(n),
+                 Eigen::ArrayXd(n), Vector::Zero(n),   Vector::Zero(n)};
   for (int j = 0; j < flow.modes(); ++j) {
     const ModeFlow<double>& mode = flow.mode(j);
     const FreeBasis<double> basis = free_basis(mode.omega, mode.delta, mode.discriminant, s);
     const double stiffness = mode.omega * mode.omega;
     // c + delta S - 1 is what the stiffness does from rest; formed as the difference it cancels.
-    const double yielded = stiffness * step_response(mode.omega, mode.delta, mode.discriminant, s);
-    const auto q = start.q.row(j), qdot = start.qdot.row(j);
-    change.q.row(j) = basis.sine * qdot - yielded * q;
-    change.qdot.row(j) =
-        (basis.cosine_minus_one - mode.delta * basis.sine) * qdot - stiffness * basis.sine * q;
+    of.q_by_q[j] = -stiffness * step_response(mode.omega, mode.delta, mode.discriminant, s);
+    of.q_by_qdot[j] = basis.sine;
+    of.qdot_by_q[j] = -stiffness * basis.sine;
+    of.qdot_by_qdot[j] = basis.cosine_minus_one - mode.delta * basis.sine;
     if (!flow.forced() || !(s > 0.0)) continue;
     const ModeGrowth late = late_start(mode, basis, flow.frequency(), arc.start_phase(), s);
-    change.q.row(j) += late.q * start.delay;
-    change.qdot.row(j) += late.qdot * start.delay;
+    of.q_by_delay[j] = late.q;
+    of.qdot_by_delay[j] = late.qdot;
+  }
+  return of;
+}
+
+// A column at a time: they lie together in memory.
+Deviations modal_growth(const Arc<double>& arc, double s, const Deviations& start) {
+  const ModalGrowth of = modal_growth_of(arc, s);
+  Deviations change{Matrix(start.q.rows(), start.count()), Matrix(start.q.rows(), start.count()),
+                    Eigen::RowVectorXd::Zero(start.count())};
+  for (Eigen::Index k = 0; k < start.count(); ++k) {
+    const auto q = start.q.col(k).array(), qdot = start.qdot.col(k).array();
+    const double delay = start.delay[k];
+    change.q.col(k).array() =
+        of.q_by_qdot * qdot + of.q_by_q * q + of.q_by_delay.array() * delay;
+    change.qdot.col(k).array() =
+        of.qdot_by_qdot * qdot + of.qdot_by_q * q + of.qdot_by_delay.array() * delay;
   }
   return change;
 }

@@ -16,15 +16,30 @@ Complex exponential_integral(Complex l, double s) {
   return l == 0.0 ? Complex(s) : change / l;
 }
 
+namespace {
+
 // Re x Re y = Re(x y + x y*)/2.
+double term_integral(const SignalTerm& x, const SignalTerm& y, double s) {
+  return 0.5 * (x.size * y.size * exponential_integral(x.rate + y.rate, s) +
+                x.size * std::conj(y.size) * exponential_integral(x.rate + std::conj(y.rate), s))
+                   .real();
+}
+
+}  // namespace
+
 double product_integral(const Signal& a, const Signal& b, double s) {
   double sum = 0.0;
   for (const SignalTerm& x : a)
-    for (const SignalTerm& y : b)
-      sum +=
-          0.5 * (x.size * y.size * exponential_integral(x.rate + y.rate, s) +
-                 x.size * std::conj(y.size) * exponential_integral(x.rate + std::conj(y.rate), s))
-                    .real();
+    for (const SignalTerm& y : b) sum += term_integral(x, y, s);
+  return sum;
+}
+
+double square_integral(const Signal& a, double s) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    sum += term_integral(a[i], a[i], s);
+    for (std::size_t j = 0; j < i; ++j) sum += 2.0 * term_integral(a[i], a[j], s);
+  }
   return sum;
 }
 

@@ -34,14 +34,34 @@ std::vector<GapMinimum> minima_below(const ArcCurve<double>& curve, int multipli
 // The gap of the lowest alone, m.
 std::optional<double> smallest_minimum(const ArcCurve<double>& curve, int multiplicity = 0);
 
-// The steady response at the start of a forcing period, where the motion that starts there in
-// `state` is sure to tend to it without meeting a stop again; else nothing. With u the free part,
+// Whether a motion is sure to tend to the steady response without meeting a stop again. With u its
+// free part at the start of a forcing period,
 //
 //   |sum_j b_j P_j| + sum_j |b_j| sqrt(u_j^2 + u'_j^2/w_j^2) < gap - b.offset
 //
 // at every stop, because w^2 u^2 + u'^2 never grows. Needs forcing, and every mode stiff, damped
-// and off resonance. `flow` is the system's.
-std::optional<State> clear_for_ever(const System& system, const ExactFlow<double>& flow,
-                                    const State& state);
+// and off resonance: elsewhere nothing is sure.
+class LastingClearance {
+ public:
+  // `flow` is the system's.
+  LastingClearance(const System& system, const ExactFlow<double>& flow);
+
+  // Whether it is sure of the motion that starts from (q, q') at the start of a forcing period.
+  bool is_sure(const Vector& q, const Vector& qdot) const;
+  // The steady response at the start of a forcing period, where the motion then tends to.
+  const State& steady() const { return steady_; }
+
+ private:
+  // What is left of the gap of a stop beside the steady response, m, and the size of the terms that
+  // this is summed of.
+  struct Room {
+    Vector weights;  // |b_j|
+    double left = 0.0, size = 0.0;
+  };
+  std::vector<Room> rooms_;
+  Vector omega_;  // rad/s
+  State steady_;
+  bool may_be_ = false;  // all that it needs is there
+};
 
 }  // namespace graze

@@ -19,6 +19,11 @@ double beyond_rounding(double difference, double rounding) {
   return difference > rounding ? difference : 0.0;
 }
 
+// Of the phases and relative speeds of two impacts whose speeds add up to this; `speed` is their
+// scale. A speed that is left over from the forced velocities has their rounding, and the smaller
+// it is, the less its instant is known.
+double impact_rounding(double speeds, double speed) { return kRounding * (1.0 + speed / speeds); }
+
 }  // namespace
 
 PeriodHistory::PeriodHistory(const System& system, const State& start, long long most)
@@ -46,7 +51,14 @@ void PeriodHistory::add_impact(const MetImpact& impact, const Vector& q, const V
 }
 
 void PeriodHistory::end_period(const Vector& q, const Vector& qdot, Contacts contacts) {
-  periods_.push({counted_, static_cast<int>(impacts_.end() - counted_), contacts});
+  Period period{counted_, static_cast<int>(impacts_.end() - counted_), contacts};
+  if (period.impacts > 0) {
+    period.phase = impacts_[counted_].phase;
+    period.speed = impacts_[counted_].speed;
+  }
+  if (periods() > 0) period.counts = periods_[periods() - 1].counts << 8;
+  period.counts |= static_cast<std::uint64_t>(std::min(period.impacts, 255));
+  periods_.push(period);
   counted_ = impacts_.end();
   push_state(period_states_, q, qdot);
   const long long oldest = periods() - most_;
@@ -68,6 +80,10 @@ std::vector<MetImpact> PeriodHistory::impacts_since(long long from) const {
   return list;
 }
 
+long long PeriodHistory::impact_count_since(long long from) const {
+  return from < periods() ? impacts_.end() - periods_[from].first : 0;
+}
+
 std::vector<State> PeriodHistory::states_before_impacts_since(long long from) const {
   std::vector<State> list;
   if (from >= periods()) return list;
@@ -87,8 +103,7 @@ PeriodHistory::Contacts PeriodHistory::contacts_since(long long from) const {
   return all;
 }
 
-// Of the impacts of a period from those p periods before. A speed that is left over from the forced
-// velocities has their rounding, and the smaller it is, the less its instant is known.
+// Of the impacts of a period from those p periods before.
 double PeriodHistory::impact_difference(long long period, int p) const {
   const Period &now = periods_[period], &then = periods_[period - p];
   if (now.impacts != then.impacts || now.contacts.any != then.contacts.any ||
@@ -101,8 +116,7 @@ double PeriodHistory::impact_difference(long long period, int p) const {
     const double speeds = std::abs(a.speed) + std::abs(b.speed);
     const double difference =
         std::max(std::abs(b.phase - a.phase), std::abs(b.speed - a.speed) / speeds);
-    const double rounding = kRounding * (1.0 + speed_ / speeds);
-    largest = std::max(largest, beyond_rounding(difference, rounding));
+    largest = std::max(largest, beyond_rounding(difference, impact_rounding(speeds, speed_)));
   }
   return largest;
 }
@@ -121,9 +135,27 @@ double PeriodHistory::state_difference(long long period, int p) const {
   return beyond_rounding(largest, kRounding);
 }
 
+// Most motions are told from what they were p periods ago by how many impacts the last periods
+// have, or by the first impact of the last one.
+int PeriodHistory::repetition(int longest, int repetitions, double tolerance) const {
+  const long long most = std::min<long long>(longest, (periods() - oldest()) / repetitions);
+  if (most <= 0) return 0;
+  const Period& now = periods_[periods() - 1];
+  for (int p = 1; p <= static_cast<int>(most); ++p) {
+    const Period& then = periods_[periods() - 1 - p];
+    const int compared = std::min((repetitions - 1) * p, 8);
+    if ((now.counts ^ then.counts) << (64 - 8 * compared) != 0) continue;
+    const double difference = std::abs(now.phase - then.phase);
+    if (difference > tolerance &&
+        difference > impact_rounding(std::abs(now.speed) + std::abs(then.speed), speed_))
+      continue;
+    if (repeats(p, repetitions, tolerance)) return p;
+  }
+  return 0;
+}
+
 bool PeriodHistory::repeats(int p, int repetitions, double tolerance) const {
   const long long now = periods();
-  if (static_cast<long long>(repetitions) * p > now - oldest()) return false;
   long long impacts = 0;
   // From the newest back: a motion that does not repeat is told by its last period.
   for (long long n = now - 1; n >= now - static_cast<long long>(repetitions - 1) * p; --n) {

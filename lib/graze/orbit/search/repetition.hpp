@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "graze/orbit/problem/impact_pattern.hpp"
@@ -53,12 +54,14 @@ class PeriodHistory {
   State state_at_start(long long period) const;
   // The impacts of the periods from `from` on, and the states just before them.
   std::vector<MetImpact> impacts_since(long long from) const;
+  long long impact_count_since(long long from) const;
   std::vector<State> states_before_impacts_since(long long from) const;
   Contacts contacts_since(long long from) const;
 
-  // Whether the last `repetitions` times p periods are known and repeat: the same stops are hit, at
-  // phases (rad) and relative speeds that agree to `tolerance`; without any impact the states do.
-  bool repeats(int p, int repetitions, double tolerance) const;
+  // The smallest p up to `longest` after which the motion repeats, or 0: the last `repetitions` (>=
+  // 2) times p periods are known, and in them the same stops are hit, at phases (rad) and relative
+  // speeds that agree to `tolerance`; without any impact the states do.
+  int repetition(int longest, int repetitions, double tolerance) const;
   // The largest difference between the last p periods and those before: of phases (rad), relative
   // speeds, and states in units of the system's scale; 0 within rounding, infinite where other
   // stops are hit or too little is remembered.
@@ -91,6 +94,10 @@ class PeriodHistory {
     long long first = 0;  // impact
     int impacts = 0;
     Contacts contacts;
+    double phase = 0.0, speed = 0.0;  // of that impact
+    // How many impacts this period and those before it have, a byte each, the last one lowest; 255
+    // stands for more.
+    std::uint64_t counts = 0;
   };
   struct Difference {
     double impacts = 0.0, states = 0.0;
@@ -98,6 +105,7 @@ class PeriodHistory {
 
   void push_state(Tail<double>& list, const Vector& q, const Vector& qdot) const;
   State state(const Tail<double>& list, long long index) const;
+  bool repeats(int p, int repetitions, double tolerance) const;
   double impact_difference(long long period, int p) const;
   double state_difference(long long period, int p) const;
   double largest(long long from, long long until, int p) const;

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "graze/base/angle.hpp"
-#include "graze/motion/detail/clearance.hpp"
 #include "graze/motion/simulation.hpp"
 #include "graze/orbit/problem/detail/solve.hpp"
 #include "graze/system/scale.hpp"
@@ -69,7 +68,7 @@ bool Settling::add_impact(int stop, double local, double speed, const Vector& q,
 
 void Settling::end_period(const Vector& q, const Vector& qdot, PeriodHistory::Contacts contacts) {
   history_.end_period(q, qdot, contacts);
-  look_back();
+  look_back(q, qdot, !contacts.any);
   in_period_ = 0;
   if (!over_ && history_.periods() >= options_.periods) conclude_unsettled();
 }
@@ -85,22 +84,22 @@ bool Settling::stop_requested(bool reads_clock) {
   return true;
 }
 
-void Settling::look_back() {
-  const auto latest = history_.contacts_since(history_.periods() - 1);
-  if (options_.nearness != 0.0 && in_period_ == 0 && !latest.any && conclude_clear()) return;
+void Settling::look_back(const Vector& q, const Vector& qdot, bool is_free) {
   if (options_.nearness == 0.0) return;
+  if (in_period_ == 0 && is_free && conclude_clear(q, qdot)) return;
   if (approached_) return come_nearer();
   const int p = repetition();
   if (p == 0) return;
-  const Pattern motion = pattern_of_last(p);
-  const bool contacts = history_.contacts_since(history_.periods() - p).any;
-  const bool impacts_alone = motion.pattern.impacts() > 0 && !contacts;
+  const long long from = history_.periods() - p;
+  const bool contacts = history_.contacts_since(from).any;
+  const bool impacts_alone = history_.impact_count_since(from) > 0 && !contacts;
   if (!options_.nearness) {
     // A drift too slow to see may still lead to the stop: being clear of it takes certainty.
     if (impacts_alone || contacts) conclude_periodic(p);
     return;
   }
   if (impacts_alone && history_.periods() >= next_solve_) {
+    const Pattern motion = pattern_of_last(p);
     approached_ = nearby_orbit(system_, motion.pattern, motion.points);
     if (approached_ && approached_->stable == true) {
       solved_at_ = history_.periods();
@@ -153,21 +152,18 @@ void Settling::conclude_repeating(int p, double remaining) {
 
 // The smallest p after which the motion repeats, or 0.
 int Settling::repetition() const {
-  for (int p = 1; p <= options_.longest_period; ++p)
-    if (history_.repeats(p, kRepetitions, kRepeats)) return p;
-  return 0;
+  return history_.repetition(options_.longest_period, kRepetitions, kRepeats);
 }
 
-bool Settling::conclude_clear() {
-  const std::optional<State> steady =
-      clear_for_ever(system_, flow_, history_.state_at_start(history_.periods()));
-  if (!steady) return false;
+bool Settling::conclude_clear(const Vector& q, const Vector& qdot) {
+  if (!clearance_) clearance_.emplace(system_, flow_);
+  if (!clearance_->is_sure(q, qdot)) return false;
   result_.kind = SettledKind::kClear;
   result_.period = 1;
   result_.near = true;
   result_.remaining = 0.0;
-  result_.at_start = result_.at_end = *steady;
-  result_.period_states = {*steady};
+  result_.at_start = result_.at_end = clearance_->steady();
+  result_.period_states = {clearance_->steady()};
   end_clear();
   return true;
 }

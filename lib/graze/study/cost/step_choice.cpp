@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graze/flow/sprung/detail/linear_spring_phase.hpp"
 #include "graze/system/scale.hpp"
 
 namespace graze {
@@ -41,8 +42,9 @@ bool is_linear(const Spring& spring) {
   return linear && (!spring.damping || spring.damping->model == ContactModel::kKelvinVoigt);
 }
 
-bool has_linear_springs(const Scene& scene) {
-  return std::all_of(scene.stops.begin(), scene.stops.end(),
+bool has_closed_contacts(const Scene& scene) {
+  return scene.modes() <= kMostModesOnLinearSprings &&
+         std::all_of(scene.stops.begin(), scene.stops.end(),
                      [](const SceneStop& stop) { return !stop.spring || is_linear(*stop.spring); });
 }
 
@@ -72,7 +74,7 @@ FlowDecision flow_decision(const Scene& scene) {
                                      [](const SceneStop& stop) { return stop.spring.has_value(); });
   // How these errors grow from contact to contact is the motion's own, and steps made for a
   // tolerance of their own may cost less: nothing is promised.
-  if (compliant && has_linear_springs(scene))
+  if (compliant && has_closed_contacts(scene))
     return {FlowChoice::kExact,
             "every effect in this scene is linear, between contacts and while the same springs are "
             "compressed, so motion and the ends of contacts have closed forms; they err by "

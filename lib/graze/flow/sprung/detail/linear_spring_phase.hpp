@@ -11,7 +11,11 @@
 
 namespace graze {
 
-// Whether all springs of the phase are linear, and the modes few enough to be decomposed together.
+// Modes that are decomposed together at most, which takes some (2 N)^3 times 1e-8 s; with more of
+// them contacts are integrated.
+inline constexpr int kMostModesOnLinearSprings = 128;
+
+// Whether all springs of the phase are linear, and the modes no more than that.
 bool suits_linear_springs(const System& system, const PhaseKey& key);
 
 class LinearSpringPhase final : public CoupledPhase {
@@ -35,7 +39,8 @@ class LinearSpringPhase final : public CoupledPhase {
   std::vector<int> stops_;    // that the springs are of
   std::vector<Vector> rows_;  // of the springs
   std::vector<double> gaps_, depths_;
-  Vector qdot_;  // at the start
+  double theta_ = 0.0;  // at the start
+  Vector q_, qdot_;
   SpringArc spring_arc_;
 };
 

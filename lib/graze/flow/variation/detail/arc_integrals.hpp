@@ -17,5 +17,8 @@ struct ArcIntegrals {
 // its modes; else by panels.
 ArcIntegrals integrals_along(const ExactPhase<double>& phase, const Observable<double>& observable,
                              double s);
+// That of c^2 alone.
+double square_along(const ExactPhase<double>& phase, const Observable<double>& observable,
+                    double s);
 
 }  // namespace graze

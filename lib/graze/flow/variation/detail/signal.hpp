@@ -21,6 +21,8 @@ Complex exponential_integral(Complex l, double s);
 
 // integral of a b over [0, s].
 double product_integral(const Signal& a, const Signal& b, double s);
+// integral of a^2 over [0, s].
+double square_integral(const Signal& a, double s);
 
 // Visits the nodes of Gauss' rule with their weights, s, over [0, s] in panels over which nothing
 // turns or decays by more than one radian, `quickest` in rad/s: there 15 nodes integrate to

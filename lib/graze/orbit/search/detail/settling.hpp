@@ -8,6 +8,7 @@
 
 #include "graze/base/detail/stop_poll.hpp"
 #include "graze/flow/exact/detail/exact_flow.hpp"
+#include "graze/motion/detail/clearance.hpp"
 #include "graze/orbit/search/detail/nearby_orbit.hpp"
 #include "graze/orbit/search/settled.hpp"
 
@@ -49,12 +50,12 @@ class Settling {
   };
 
   bool stop_requested(bool reads_clock);
-  void look_back();
+  void look_back(const Vector& q, const Vector& qdot, bool is_free);
   void come_nearer();
   void conclude_near(int p, double remaining);
   void conclude_repeating(int p, double remaining);
   int repetition() const;
-  bool conclude_clear();
+  bool conclude_clear(const Vector& q, const Vector& qdot);
   void end_clear();
   void conclude_periodic(int p);
   Pattern pattern_of_last(int p) const;
@@ -68,8 +69,9 @@ class Settling {
   double closure_speed_;  // m/s
   PeriodHistory history_;
   MotionScale scale_;
-  std::optional<NearbyOrbit> approached_;  // stable; solved for when the motion began to repeat
-  double left_ = 0.0;                      // distance from it, one repetition ago at most
+  std::optional<LastingClearance> clearance_;  // once a period passes without a contact
+  std::optional<NearbyOrbit> approached_;      // stable; solved for when the motion began to repeat
+  double left_ = 0.0;                          // distance from it, one repetition ago at most
   long long solved_at_ = 0, next_solve_ = 0, leaving_until_ = 0;  // periods
   long long in_period_ = 0;                                       // impacts
   StopPoll poll_;

@@ -18,16 +18,16 @@ std::optional<StepMethod> step_method(FlowChoice flow);
 
 // The flow that a scene runs on, and why: a sentence without its end.
 //
-// "auto" is decided by two rules, from what `graze cost` measures on the shipped scenes
+// "auto" is decided by these rules, from what `graze cost` measures on the shipped scenes
 // (docs/accuracy.md; tests/study/flow_decision_test.cpp holds them to it):
 //   - where every effect is linear between impacts the exact flow meets any tolerance down to the
 //     rounding of the impacts, and costs less than any setting of the others that does;
-//   - at compliant stops the exact flow integrates each contact to 1e-14 of its speed a step: it is
-//     the most careful there is, but steps as long as a tolerance allows may cost less, and over
-//     many contacts that magnify errors it may exceed the tolerance;
+//   - contacts on linear springs of up to 128 modes have closed forms too; at other compliant stops
+//     the exact flow integrates each contact to 1e-14 of its speed a step: it is the most careful
+//     there is, but steps as long as a tolerance allows may cost less, and over many contacts that
+//     magnify errors it may exceed the tolerance;
 //   - on a hub nothing has a closed form: the extrapolation method of Bulirsch and Stoer costs a
-//   few
-//     times what the others do at their coarsest, and loses nothing.
+//     few times what the others do at their coarsest, and loses nothing.
 struct FlowDecision {
   FlowChoice flow = FlowChoice::kExact;  // never kAuto
   std::string reason;
