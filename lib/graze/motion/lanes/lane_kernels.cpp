@@ -18,6 +18,8 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+inline constexpr std::size_t kTogether = 2;
+
 // How long the gap at stop i is open for certain, and whether it is met for certain within kBall.
 HWY_INLINE void look_at_stop(const LaneVector& lanes, std::size_t i) {
   const LaneColumns& c = *lanes.columns;
@@ -75,8 +77,21 @@ HWY_INLINE void go(const LaneVector& lanes, Chosen chosen, LaneStage stage, Numb
   lanes.keep(lanes.columns->row(LaneRow::kAt), chosen, at);
 }
 
-// A step of Halley's method towards the stop that is met; returns the lanes that are there already.
-HWY_INLINE Chosen finish_step(const LaneVector& lanes, Chosen chosen, Chosen begins) {
+HWY_INLINE LaneSet lane_set(Chosen chosen, std::size_t first) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(Lanes(), chosen, bits);
+  return static_cast<LaneSet>(bits[0]) << first;
+}
+
+// They stay where their flight began.
+HWY_INLINE void leave(const LaneVector& lanes, Chosen leaves, LaneArrivals& arrivals) {
+  lanes.keep(lanes.columns->row(LaneRow::kStage), leaves,
+             number(static_cast<double>(LaneStage::kIdle)));
+  arrivals.left |= lane_set(leaves, lanes.first);
+}
+
+// A step of Halley's method towards the stop that is met.
+HWY_INLINE void finish_step(const LaneVector& lanes, Chosen chosen, Chosen begins) {
   const LaneColumns& c = *lanes.columns;
   const Numbers one = number(1.0), two = number(2.0), s = lanes.get(LaneRow::kAt);
   const Numbers hit = lanes.get(LaneRow::kHit), window = lanes.get(LaneRow::kWindow);
@@ -100,18 +115,15 @@ HWY_INLINE Chosen finish_step(const LaneVector& lanes, Chosen chosen, Chosen beg
   lanes.keep(c.row(LaneRow::kThird), chosen, third);
   lanes.keep(c.row(LaneRow::kCorrection), chosen, step);
   go(lanes, goes, LaneStage::kFinish, next);
-  lanes.keep(c.row(LaneRow::kStage), hn::And(goes, exact),
-             number(static_cast<double>(LaneStage::kContact)));
-  const Chosen late = hn::Or(hn::And(hn::And(goes, exact), hn::Gt(next, window)),
-                             hn::And(there, hn::Gt(s, window)));
-  go(lanes, late, LaneStage::kEnd, window);
-  return hn::AndNot(late, there);
+  const Numbers contact = hn::IfThenElse(there, s, next);
+  const Chosen located = hn::Or(there, hn::And(goes, exact));
+  go(lanes, located, LaneStage::kContact, contact);
+  go(lanes, hn::And(located, hn::Gt(contact, window)), LaneStage::kEnd, window);
 }
 
-// One look of the vector at its gaps, or a step of Halley's method; returns the lanes that are at
-// their contact, and marks those that somebody else has to look after.
-HWY_INLINE Chosen search_lanes(const LaneVector& lanes, Chosen search, Chosen finish,
-                               Chosen& leaves) {
+// What one look of a vector at its gaps leads to, or a step of Halley's method.
+HWY_INLINE void search_lanes(const LaneVector& lanes, Chosen search, Chosen finish,
+                             LaneArrivals& arrivals) {
   const Numbers s = lanes.get(LaneRow::kAt), window = lanes.get(LaneRow::kWindow);
   const Numbers looks = hn::Add(lanes.get(LaneRow::kLooks), number(1.0));
   lanes.keep(lanes.columns->row(LaneRow::kLooks), looks);
@@ -122,45 +134,41 @@ HWY_INLINE Chosen search_lanes(const LaneVector& lanes, Chosen search, Chosen fi
   go(lanes, goes, LaneStage::kSearch, look.until);
   go(lanes, ends, LaneStage::kEnd, window);
   const Chosen stands = hn::AndNot(hn::Gt(look.until, s), goes);
-  leaves = hn::Or(look.doubtful, stands);
-  leaves = hn::Or(leaves, hn::And(hn::Or(search, finish), hn::Gt(looks, number(kMostLooks))));
+  const Chosen tires = hn::And(hn::Or(search, finish), hn::Gt(looks, number(kMostLooks)));
+  const Chosen leaves = hn::Or(hn::Or(look.doubtful, stands), tires);
   const Chosen halley = hn::AndNot(leaves, hn::Or(finish, look.crosses));
-  if (hn::AllFalse(Lanes(), halley)) return halley;
-  return finish_step(lanes, halley, look.crosses);
+  if (!hn::AllFalse(Lanes(), halley)) finish_step(lanes, halley, look.crosses);
+  leave(lanes, leaves, arrivals);
 }
 
-HWY_INLINE LaneSet lane_set(Chosen chosen, std::size_t first) {
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(Lanes(), chosen, bits);
-  return static_cast<LaneSet>(bits[0]) << first;
-}
-
-HWY_INLINE void advance(const LaneVector& lanes, LaneArrivals& arrivals) {
-  Chosen contact = lanes.is_at(LaneStage::kContact);
-  const Chosen end = lanes.is_at(LaneStage::kEnd);
-  const Chosen search = lanes.is_at(LaneStage::kSearch), finish = lanes.is_at(LaneStage::kFinish);
-  Chosen leaves = hn::AndNot(search, search);
-  if (!hn::AllFalse(Lanes(), hn::Or(search, finish)))
-    contact = hn::Or(contact, search_lanes(lanes, search, finish, leaves));
-  const Chosen arrived = hn::Or(contact, end), fresh = lanes.is_at(LaneStage::kBegin);
-  if (!hn::AllFalse(Lanes(), hn::Or(arrived, fresh))) {
-    Chosen begins = end_flight(lanes, arrived);
-    Numbers local = number(0.0);
-    Chosen hits = hn::And(contact, begins);
-    if (!hn::AllFalse(Lanes(), hits)) {
-      hits = hit_stops(lanes, hits);
-      local =
-          hn::IfThenElse(hits, hn::Add(lanes.get(LaneRow::kLocal), lanes.get(LaneRow::kAt)), local);
-    }
-    begins = hn::Or(hits, hn::And(end, begins));
-    begin_flight(lanes, hn::Or(begins, fresh), hits, local);
-    leaves = hn::Or(leaves, hn::AndNot(begins, arrived));
-    arrivals.contacts |= lane_set(hits, lanes.first);
-    arrivals.ends |= lane_set(hn::And(end, begins), lanes.first);
+// Impacts and ends of periods of a vector, and the flights that follow.
+HWY_INLINE void arrive(const LaneVector& lanes, Chosen contact, Chosen end, Chosen fresh,
+                       LaneArrivals& arrivals) {
+  const Chosen arrived = hn::Or(contact, end), finite = end_flight(lanes, arrived);
+  Numbers local = number(0.0);
+  Chosen hits = hn::And(contact, finite);
+  if (!hn::AllFalse(Lanes(), hits)) {
+    hits = hit_stops(lanes, hits);
+    const Numbers time = hn::Add(lanes.get(LaneRow::kLocal), lanes.get(LaneRow::kAt));
+    local = hn::IfThenElse(hits, time, local);
   }
-  lanes.keep(lanes.columns->row(LaneRow::kStage), leaves,
-             number(static_cast<double>(LaneStage::kIdle)));
-  arrivals.left |= lane_set(leaves, lanes.first);
+  const Chosen ends = hn::And(end, finite), begins = hn::Or(hits, ends);
+  begin_flight(lanes, hn::Or(begins, fresh), hits, local);
+  arrivals.contacts |= lane_set(hits, lanes.first);
+  arrivals.ends |= lane_set(ends, lanes.first);
+  leave(lanes, hn::AndNot(begins, arrived), arrivals);
+}
+
+// Arrivals wait for a few others, as a vector does several in the time of one.
+HWY_INLINE void advance(const LaneVector& lanes, LaneArrivals& arrivals) {
+  const Chosen contact = lanes.is_at(LaneStage::kContact), end = lanes.is_at(LaneStage::kEnd);
+  const Chosen fresh = lanes.is_at(LaneStage::kBegin);
+  const Chosen search = lanes.is_at(LaneStage::kSearch), finish = lanes.is_at(LaneStage::kFinish);
+  const bool searches = !hn::AllFalse(Lanes(), hn::Or(search, finish));
+  if (searches) search_lanes(lanes, search, finish, arrivals);
+  const Chosen waiting = hn::Or(hn::Or(contact, end), fresh);
+  const std::size_t wait = hn::CountTrue(Lanes(), waiting);
+  if (wait >= kTogether || (wait > 0 && !searches)) arrive(lanes, contact, end, fresh, arrivals);
 }
 
 // Step by step for all vectors, so that one has its turn while another waits for a root or

@@ -181,7 +181,9 @@ HWY_INLINE Numbers cubic_step(Numbers clear, const SlowTerms& slow, Numbers firs
     h = hn::IfThenElse(hn::Lt(step, hn::Mul(number(7.0), h)),
                        hn::Mul(number(0.5), hn::Add(h, step)), hn::Mul(number(4.0), h));
   }
-  return hn::IfThenElse(hn::Gt(clear, number(0.0)), best, number(0.0));
+  // From the stop itself only where it is left.
+  const Chosen opens = hn::And(hn::Ge(clear, number(0.0)), hn::Gt(slow.slope, number(0.0)));
+  return hn::IfThenElseZero(hn::Or(hn::Gt(clear, number(0.0)), opens), best);
 }
 
 // How far the gap at stop i is sure to stay open that has `clear` left, by its slow terms if the
