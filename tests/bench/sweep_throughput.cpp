@@ -1,121 +1,193 @@
-// Poincare returns per second of a sweep: an impact oscillator
+// Poincare returns per second of a sweep, at a stated error: an impact oscillator
 //
 //   u'' + 0.04 u' + u = A cos(w t),   u <= 1,   r = 0.9
 //
-// from rest at 30,720 values of A in [0.05, 0.55] x w in [0.6, 1.4], 1024 forcing periods left out
-// and 32 kept; a return is one forcing period. And a cantilever's first four modes over as many.
+// from rest at 30,720 values of (w, A) in [0.6, 1.4] x [0.05, 0.55], 1024 forcing periods left out
+// and 32 kept; a return is one forcing period, none is left out. And the same of four modes, those
+// of a clamped and free beam that is met at its tip.
 //
-//   sweep_throughput [THREADS] [CELLS]
+//   sweep_throughput [--threads N] [--cells N] [--avx2] [--check]
+//
+// --cells: so many of them, evenly spread. --avx2: by vectors of four numbers.
+// --check: the impacts of the kept periods against 50 digits, in cells that repeat.
 #include <fmt/format.h>
+#include <hwy/targets.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
+#include <cstring>
+#include <optional>
 #include <thread>
 #include <vector>
 
-#include "graze/base/parallel.hpp"
+#include "graze/base/angle.hpp"
+#include "graze/flow/exact/extended.hpp"
+#include "graze/motion/detail/motion_walk.hpp"
 #include "graze/orbit/search/settled.hpp"
 
 namespace {
 
 using namespace graze;
 
-struct Grid {
-  int modes = 1;
-  std::size_t columns = 192, rows = 160;
-  std::size_t cells() const { return columns * rows; }
+constexpr long long kLeftOut = 1024, kKept = 32;
+constexpr std::size_t kColumns = 192, kRows = 160;
 
-  System system(std::size_t cell) const {
-    const double x = static_cast<double>(cell % columns) / static_cast<double>(columns - 1);
-    const double y = static_cast<double>(cell / columns) / static_cast<double>(rows - 1);
-    System system;
-    // Frequencies of a clamped and free beam over its first.
-    const double ratios[] = {1.0, 6.2669, 17.5475, 34.3861};
-    // Its modes at the tip are equally large, alternating in sign.
-    system.omega = Vector::Map(ratios, modes);
-    NaturalModes natural{Vector::Constant(modes, 0.02), HarmonicForcing{}, {}};
-    natural.forcing->frequency = 0.6 + 0.8 * x;
-    natural.forcing->amplitude = Vector::Zero(modes);
-    natural.forcing->amplitude[0] = 0.05 + 0.5 * y;
-    system.structure = natural;
-    Vector row(modes);
-    for (int j = 0; j < modes; ++j) row[j] = j % 2 == 0 ? 1.0 : -1.0;
-    system.stops.push_back({row, 1.0, ImpactLaw{row / row.squaredNorm(), 0.9}});
-    return system;
-  }
-};
+System system_at(int modes, std::size_t cell) {
+  const double x = static_cast<double>(cell % kColumns) / (kColumns - 1);
+  const double y = static_cast<double>(cell / kColumns) / (kRows - 1);
+  // Natural frequencies over the first; the modes are equally large at the tip, with signs in turn.
+  const double ratios[] = {1.0, 6.2669, 17.5475, 34.3861};
+  System system;
+  system.omega = Vector::Map(ratios, modes);
+  NaturalModes natural{
+      Vector::Constant(modes, 0.02), HarmonicForcing{0.6 + 0.8 * x, 0.0, Vector::Zero(modes)}, {}};
+  natural.forcing->amplitude[0] = 0.05 + 0.5 * y;
+  system.structure = natural;
+  Vector row(modes);
+  for (int j = 0; j < modes; ++j) row[j] = j % 2 == 0 ? 1.0 : -1.0;
+  system.stops.push_back({row, 1.0, ImpactLaw{row / row.squaredNorm(), 0.9}});
+  return system;
+}
 
+SettleOptions all_periods() {
+  SettleOptions options;
+  options.periods = kLeftOut + kKept;
+  options.tail = kKept;
+  options.nearness = 0.0;
+  options.longest_period = 0;
+  return options;
+}
+
+// Every so many cells of the grid, handed out to the threads one by one.
 class Cells : public SettleTasks {
  public:
-  Cells(const Grid& grid, std::atomic<std::size_t>& next, std::size_t end)
-      : grid_(grid), next_(next), end_(end) {}
+  Cells(int modes, std::size_t count, std::atomic<std::size_t>& next)
+      : modes_(modes), count_(count), next_(next) {}
 
   std::optional<SettleTask> next(std::size_t place) override {
-    const std::size_t cell = next_++;
-    if (cell >= end_) return {};
-    systems_[place] = grid_.system(cell * grid_.cells() / end_);
-    SettleTask task;
-    task.system = &systems_[place];
-    const Eigen::Index n = task.system->modes();
-    task.start = {Vector::Zero(n), Vector::Zero(n)};
-    task.options.periods = 1024 + 32;
-    task.options.tail = 32;
-    task.options.nearness = 0.0;
-    return task;
+    const std::size_t i = next_++;
+    if (i >= count_) return {};
+    systems_[place] = system_at(modes_, i * (kColumns * kRows) / count_);
+    const State rest{Vector::Zero(modes_), Vector::Zero(modes_)};
+    return SettleTask{&systems_[place], rest, all_periods()};
   }
   void take(std::size_t, SettledMotion motion) override {
-    periods += motion.periods;
+    returns += motion.periods;
     impacts += motion.impacts_met;
-    if (motion.kind != SettledKind::kNotPeriodic && motion.kind != SettledKind::kClear) ++others;
   }
 
-  long long periods = 0, impacts = 0, others = 0;
+  long long returns = 0, impacts = 0;
 
  private:
-  const Grid& grid_;
+  int modes_;
+  std::size_t count_;
   std::atomic<std::size_t>& next_;
-  std::size_t end_;
   std::array<System, 64> systems_;
 };
 
-void measure(int modes, int threads, std::size_t cells, bool alone) {
-  Grid grid;
-  grid.modes = modes;
+// Seconds a return, of one thread.
+double measure(int modes, int threads, std::size_t cells, bool beside) {
   std::atomic<std::size_t> next{0};
-  std::atomic<long long> periods{0}, impacts{0}, others{0};
+  std::atomic<long long> returns{0}, impacts{0};
   const auto begin = std::chrono::steady_clock::now();
   std::vector<std::thread> workers;
   for (int t = 0; t < threads; ++t)
     workers.emplace_back([&] {
-      Cells tasks(grid, next, cells);
-      if (alone) {
-        while (std::optional<SettleTask> task = tasks.next(0))
-          tasks.take(0, settle(*task->system, task->start, task->options));
-      } else {
+      Cells tasks(modes, cells, next);
+      if (beside)
         settle_side_by_side(tasks);
-      }
-      periods += tasks.periods;
+      else
+        while (const std::optional<SettleTask> task = tasks.next(0))
+          tasks.take(0, settle(*task->system, task->start, task->options));
+      returns += tasks.returns;
       impacts += tasks.impacts;
-      others += tasks.others;
     });
   for (std::thread& worker : workers) worker.join();
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  fmt::print("{} mode(s), {} thread(s), {}: {:.3g} returns/s, {:.3g} us a return, {} impacts, {} others, {:.2f} s\n", modes,
-             threads, alone ? "one by one" : "side by side",
-             static_cast<double>(periods) / seconds, seconds / static_cast<double>(periods) * 1e6 * threads,
-             impacts.load(), others.load(), seconds);
+  const auto count = static_cast<double>(returns);
+  fmt::print("{:6} {:13} {:12} {:14.3g} {:14.3g}\n", modes, beside ? "side by side" : "one by one",
+             returns.load(), count / seconds, static_cast<double>(impacts) / seconds);
+  return seconds * threads / count;
+}
+
+// Impact times, s since t = 0, of the kept periods in 50 digits.
+std::vector<double> reference(const System& system) {
+  RealVector<Extended> rest = RealVector<Extended>::Zero(system.modes());
+  Motion<Extended> motion(system, {}, rest, rest);
+  MotionWalk<Extended> walk(system, motion, Extended(0));
+  std::vector<double> times;
+  const Instant<Extended> end{kLeftOut + kKept, 0};
+  for (WalkStep step = walk.next(end); step != WalkStep::kEnd && step != WalkStep::kFailure;
+       step = walk.next(end))
+    if (step == WalkStep::kImpact && motion.instant().period >= kLeftOut)
+      times.push_back(static_cast<double>(motion.instant().local));
+  return times;
+}
+
+// The largest error of an impact time, s within its period, over some cells that repeat.
+void check(int modes) {
+  constexpr std::size_t kChecked = 12;
+  double largest = 0.0;
+  std::size_t told = 0, impacts = 0;
+  for (std::size_t i = 0; told < kChecked && i < kColumns * kRows; i += 97) {
+    const System system = system_at(modes, i);
+    const State rest{Vector::Zero(modes), Vector::Zero(modes)};
+    SettleOptions options = all_periods();
+    const SettledMotion motion = settle_in_lane(system, rest, options);
+    options.longest_period = 16;
+    const SettledMotion repeats = settle_in_lane(system, rest, options);
+    if (repeats.period == 0 || motion.impacts.empty()) continue;
+    const std::vector<double> exact = reference(system);
+    if (exact.size() != motion.impacts.size()) {
+      fmt::print("cell {}: {} impacts, {} in 50 digits\n", i, motion.impacts.size(), exact.size());
+      continue;
+    }
+    for (std::size_t k = 0; k < exact.size(); ++k)
+      largest = std::max(
+          largest, std::abs(motion.impacts[k].phase / system.forcing()->frequency - exact[k]));
+    ++told;
+    impacts += exact.size();
+  }
+  fmt::print("{} mode(s), {} impacts of {} cells: largest error of an impact time {:.2g} s\n",
+             modes, impacts, told, largest);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int threads = argc > 1 ? std::atoi(argv[1]) : 1;
-  const std::size_t cells = argc > 2 ? static_cast<std::size_t>(std::atoi(argv[2])) : 30720;
-  for (const int modes : {1, 4})
-    for (const bool alone : {true, false})
-      if (argc < 4 || (alone == (argv[3][0] == 'o'))) measure(modes, threads, alone ? std::min<std::size_t>(cells, 960) : cells, alone);
+  int threads = 1;
+  std::size_t cells = kColumns * kRows;
+  bool checks = false;
+  for (int i = 1; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--threads") == 0 && i + 1 < argc)
+      threads = std::atoi(argv[++i]);
+    else if (std::strcmp(argv[i], "--cells") == 0 && i + 1 < argc)
+      cells = static_cast<std::size_t>(std::atol(argv[++i]));
+    else if (std::strcmp(argv[i], "--avx2") == 0)
+      hwy::DisableTargets(HWY_AVX3 | HWY_AVX3_DL);
+    else if (std::strcmp(argv[i], "--check") == 0)
+      checks = true;
+    else
+      return std::fprintf(stderr,
+                          "usage: sweep_throughput [--threads N] [--cells N] [--avx2] [--check]\n"),
+             2;
+  }
+  if (checks) {
+    for (const int modes : {1, 4}) check(modes);
+    return 0;
+  }
+  fmt::print("{:>6} {:13} {:>12} {:>14} {:>14}   {} thread(s)\n", "modes", "", "returns",
+             "returns/s", "impacts/s", threads);
+  for (const int modes : {1, 4}) {
+    const double beside = measure(modes, threads, cells, true);
+    const double alone = measure(modes, threads, cells, false);
+    fmt::print("{:6} {:.2f} times, {:.3f} us a return and core\n", "", alone / beside,
+               beside * 1e6);
+  }
+  return 0;
 }
