@@ -37,27 +37,27 @@ std::string events_csv_header() {
          "peak_force,effective_restitution\n";
 }
 
-std::string events_csv_row(const Event& e) {
-  const std::string start = fmt::format("{},{},{}", name_of(e.kind), csv_cell(e.time), e.stop + 1);
-  switch (e.kind) {
-    case EventKind::kImpact:
-      return fmt::format("{},{},{},{},,,,,,\n", start, csv_cell(e.speed), csv_cell(e.phase),
-                         csv_cell(e.energy_change));
-    case EventKind::kChatter:
-      return fmt::format("{},,,{},{},{},,,,\n", start, csv_cell(e.energy_change), e.impacts,
-                         csv_cell(e.closure_speed));
-    case EventKind::kStick:
-      return fmt::format("{},,,,,,{},,,\n", start, csv_cell(e.force));
-    case EventKind::kContact:
-      return fmt::format("{},{},{},,,,,,,\n", start, csv_cell(e.speed), csv_cell(e.phase));
-    case EventKind::kSeparation:
-      return fmt::format("{},{},,{},,,,{},{},{}\n", start, csv_cell(e.speed),
-                         csv_cell(e.energy_change), csv_cell(e.duration), csv_cell(e.peak_force),
-                         csv_cell(e.effective_restitution));
-    case EventKind::kRelease:
-      break;
-  }
-  return start + ",,,,,,,,,\n";
+void add_event_row(const Event& e, std::vector<double>& row) {
+  const bool meets = e.kind == EventKind::kImpact || e.kind == EventKind::kContact;
+  const bool parts = e.kind == EventKind::kSeparation, chatters = e.kind == EventKind::kChatter;
+  const auto only = [](bool exists, double value) { return exists ? value : NAN; };
+  row.insert(row.end(), {e.time, e.stop + 1.0, only(meets || parts, e.speed),
+                         only(meets, e.phase.value_or(NAN)),
+                         only(e.kind == EventKind::kImpact || parts || chatters, e.energy_change),
+                         only(chatters, static_cast<double>(e.impacts)),
+                         only(chatters, e.closure_speed),
+                         only(e.kind == EventKind::kStick, e.force), only(parts, e.duration),
+                         only(parts, e.peak_force),
+                         only(parts, e.effective_restitution.value_or(NAN))});
+}
+
+std::string events_csv_row(const Event& event) {
+  std::vector<double> row;
+  add_event_row(event, row);
+  std::string text = name_of(event.kind);
+  for (const double value : row)
+    fmt::format_to(std::back_inserter(text), ",{}", csv_cell(value));
+  return text + "\n";
 }
 
 std::string samples_csv_header(const System& system, bool energy,
@@ -79,16 +79,14 @@ std::string samples_csv_header(const System& system, bool energy,
   return text + "\n";
 }
 
-std::string samples_csv_row(const System& system, const Sample& sample,
-                            const std::vector<ProbeRow>& probes) {
-  std::string text = csv_cell(sample.time);
-  const auto add = [&](const auto& value) {
-    fmt::format_to(std::back_inserter(text), ",{}", csv_cell(value));
-  };
+void add_sample_row(const System& system, const Sample& sample,
+                    const std::vector<ProbeRow>& probes, std::vector<double>& row) {
+  const auto add = [&](const std::optional<double>& value) { row.push_back(value.value_or(NAN)); };
   const auto add_state = [&](const State& state) {
-    for (const double value : state.q) add(value);
-    for (const double value : state.qdot) add(value);
+    row.insert(row.end(), state.q.begin(), state.q.end());
+    row.insert(row.end(), state.qdot.begin(), state.qdot.end());
   };
+  add(sample.time);
   if (system.turns()) {
     const HubState hub = hub_state(*system.rotation(), sample.state);
     add(hub.angle);
@@ -98,7 +96,7 @@ std::string samples_csv_row(const System& system, const Sample& sample,
     add_state(sample.state);
   }
   for (const Stop& stop : system.stops) add(stop.gap - stop.row.dot(sample.state.q));
-  for (const double force : sample.forces) add(force);
+  row.insert(row.end(), sample.forces.begin(), sample.forces.end());
   if (sample.energy) {
     const EnergyEntries entries = energy_entries(system, *sample.energy);
     add(sample.energy->now);
@@ -110,7 +108,16 @@ std::string samples_csv_row(const System& system, const Sample& sample,
     add(entries.contact);
   }
   for (const ProbeRow& probe : probes) add(probe.value(sample.state));
-  return text + "\n";
+}
+
+std::string samples_csv_row(const System& system, const Sample& sample,
+                            const std::vector<ProbeRow>& probes) {
+  std::vector<double> row;
+  add_sample_row(system, sample, probes, row);
+  std::string text;
+  for (const double value : row)
+    fmt::format_to(std::back_inserter(text), ",{}", csv_cell(value));
+  return text.substr(1) + "\n";
 }
 
 std::string section_csv(const RunSection& section) {

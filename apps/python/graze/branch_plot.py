@@ -1,0 +1,127 @@
+"""Branches, loci and diagrams."""
+
+from __future__ import annotations
+
+from typing import Any, Iterator, Tuple
+
+import numpy as np
+
+from . import _core
+from .picture_style import add_legend, label, line_style, looks, one_axes, unit_for
+
+
+def plot_branches(result: Any, axes: Any = None) -> Any:
+    figure, cell = one_axes(axes)
+    _label_parameter(cell, result, result.document["parameter"], "x")
+    _draw_branches(cell, result)
+    add_legend(cell)
+    return figure
+
+
+def plot_diagram(result: Any, axes: Any = None) -> Any:
+    figure, cell = one_axes(axes)
+    sweep = result.table("sweep")
+    of_impacts = bool(np.any(np.isfinite(sweep["speed"])))
+    name, unit = ("speed", "m/s") if of_impacts else ("displacement", "m")
+    factor, unit = unit_for(unit, sweep[name])
+    repeats = np.isfinite(np.asarray(sweep["period"], dtype=float))
+    for which, dots in ((repeats, "periodic"), (~repeats, "wild")):
+        if which.any():
+            look = looks()["dots"][dots]
+            style = line_style(look, with_line=False)
+            cell.plot(
+                sweep["value"][which], factor * sweep[name][which], label=look["title"],
+                **{**style, "markersize": 1.5},
+            )
+    if of_impacts and result.table("branches").rows:
+        _draw_branches(cell, result)
+    cell.set_ylabel(label("impact speed" if of_impacts else name, unit))
+    _label_parameter(cell, result, result.document["parameter"], "x")
+    add_legend(cell)
+    return figure
+
+
+def plot_loci(result: Any, axes: Any = None) -> Any:
+    figure, cell = one_axes(axes)
+    draw_loci(cell, result.table("loci"))
+    special = result.table("special")
+    if special.rows:
+        cell.plot(special["value"], special["second"], "o", color="#000000", markersize=3.0)
+        for name, x, y in zip(special["id"], special["value"], special["second"]):
+            cell.annotate(str(name), (x, y), fontsize=6.0, xytext=(2, 2), textcoords="offset points")
+    options = result.document["graze"]["options"]
+    _label_parameter(cell, result, options["parameter"], "x")
+    _label_parameter(cell, result, options["second"], "y")
+    add_legend(cell)
+    return figure
+
+
+def draw_loci(cell: Any, loci: Any) -> None:
+    """Each kind in its colour and dash, parts that are none of the system grey."""
+    labels, admissible = loci["label"], loci["admissible"]
+    for part in _runs(loci["locus"], admissible):
+        look = looks()["loci"]["virtual" if admissible[part][0] == 0 else labels[part][0]]
+        cell.plot(loci["value"][part], loci["second"][part], label=look["title"], **line_style(look))
+
+
+def plot_equations(branch: Any, unknown: int, axes: Any = None) -> Any:
+    figure, cell = one_axes(axes)
+    cell.plot(branch.p, branch.u[:, unknown], color=looks()["curves"][0], linewidth=1.2)
+    for point in branch.special:
+        look = looks()["special"][point.label]
+        cell.plot(
+            [point.p], [point.u[unknown]], label=look["title"], **line_style(look, with_line=False)
+        )
+    cell.set_xlabel("p")
+    cell.set_ylabel(f"u{unknown + 1}")
+    add_legend(cell)
+    return figure
+
+
+def _draw_branches(cell: Any, result: Any) -> None:
+    branches, special = result.table("branches"), result.table("special")
+    factor, unit = unit_for("m/s", branches["speed"])
+    stable = np.asarray(branches["stable"], dtype=float)
+    kinds = np.where(np.isnan(stable), "open", np.where(stable == 1.0, "stable", "unstable"))
+    kinds = np.where(branches["admissible"] == 0, "virtual", kinds)
+    for part in _runs(branches["branch"], kinds):
+        look = looks()["lines"][str(kinds[part][0])]
+        x, y = branches["value"][part], factor * branches["speed"][part]
+        cell.plot(x, y, label=look["title"], **line_style(look))
+    known = looks()["special"]
+    for name in np.unique(special["label"].astype(str)) if special.rows else ():
+        of = special["label"] == name
+        look = known.get(name, known["LP"])
+        cell.plot(
+            special["value"][of], factor * special["speed"][of], label=look["title"],
+            **line_style(look, with_line=False),
+        )
+    cell.set_ylabel(label("impact speed", unit))
+
+
+def _runs(*lists: Any) -> Iterator[slice]:
+    """Parts over which nothing of the lists changes; each ends where the next one begins."""
+    count = len(lists[0])
+    if count == 0:
+        return
+    changes = np.zeros(count - 1, dtype=bool)
+    for values in lists:
+        changes |= values[1:] != values[:-1]
+    same_curve = lists[0][1:] == lists[0][:-1]
+    start = 0
+    for end in np.flatnonzero(changes):
+        # A line of one curve goes on to where it looks otherwise.
+        yield slice(start, end + 1 + int(same_curve[end]))
+        start = end + 1
+    yield slice(start, count)
+
+
+def _label_parameter(cell: Any, result: Any, name: str, which: str) -> None:
+    unit = result.scene.unit(name)
+    getattr(cell, f"set_{which}label")(label(_core.parameter_title(name), unit))
+
+
+def label_plane(cell: Any, result: Any, names: Tuple[str, str]) -> None:
+    """Both axes by the numbers of the scene that they are."""
+    for which, name in zip("xy", names):
+        _label_parameter(cell, result, name, which)

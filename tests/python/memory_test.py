@@ -1,0 +1,100 @@
+"""Calls leave nothing behind. GRAZE_LONG=1 makes a thousand of each function, else a hundred."""
+
+import ctypes
+import gc
+import os
+import tempfile
+
+import graze
+import pytest
+
+CALLS = 1000 if os.environ.get("GRAZE_LONG") else 100
+#: Bytes a call; what the heap and the allocators of threads move by, spread over the calls.
+MOST = 3_000_000 / CALLS
+
+FILE = "data/scenes/04_impact_oscillator.toml"
+OVER = dict(parameter="forcing.frequency", from_=2.7, to=2.72)
+PLANE = dict(second="stop.gap", second_from=0.0, second_to=0.02)
+
+
+def refused():
+    for wrong in (dict(periods=-1), dict(record="all"), dict(resume="/nowhere")):
+        try:
+            graze.simulate(FILE, **wrong)
+        except graze.Error:
+            pass
+
+
+def refused_scene():
+    try:
+        graze.Scene.parse("[beam]\nlength = -1\n")
+    except graze.SceneError:
+        pass
+
+
+def simulated():
+    result = graze.simulate(FILE, periods=50, record="samples", energy=True)
+    result.to_json()
+    result.to_pandas("samples")
+    return result.events["kind"], result.samples["q1"]
+
+
+def numerics_error():
+    try:
+        graze.simulate(FILE, periods=1000, max_impacts=5)
+    except graze.NumericsError as error:
+        error.result.to_json()
+
+
+WORK = {
+    "simulate": simulated,
+    "orbit": lambda: graze.orbit(FILE, impacts=1, start="closed-form").to_json(),
+    "continue_": lambda: graze.continue_(FILE, **OVER, max_step=0.01).to_pandas(),
+    "loci": lambda: graze.loci(FILE, **OVER, **PLANE, slices=0, locus="GR", start="closed-form"),
+    "diagram": lambda: graze.diagram(FILE, **OVER, points=2, periods=20, branches="none").to_pandas(),
+    "map": lambda: graze.map(FILE, **OVER, **PLANE, points=2, second_points=2, periods=20).to_pandas(),
+    "compare": lambda: graze.compare(FILE, against={"stop.restitution": 0.5}, periods=20, duration=1.0),
+    "fit": lambda: graze.fit("data/measurements/restitution.toml", "data/measurements/restitution.csv"),
+    "cost": lambda: graze.cost("data/scenes/06_bouncing_ball.toml", duration=0.3, impacts=1),
+    "modes": lambda: graze.modes(FILE).frequencies,
+    "check": lambda: str(graze.check(FILE)),
+    "scene": lambda: graze.Scene.load(FILE).changed({"stop.gap": 0.1}).parameters,
+    "refused": refused,
+    "refused_scene": refused_scene,
+    "numerics_error": numerics_error,
+    "continuation": lambda: graze.continuation(lambda u, p: u**2 + p**2 - 1, 0.9, 0.1, from_=-2, to=2),
+}
+
+
+def resident():
+    gc.collect()
+    ctypes.CDLL(None).malloc_trim(0)
+    with open("/proc/self/statm") as file:
+        return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+
+@pytest.mark.parametrize("name", WORK)
+def test_a_call_leaves_nothing_behind(name):
+    work = WORK[name]
+
+    def called(count):
+        for _ in range(count):
+            try:
+                work()
+            except graze.NumericsError:
+                pass
+
+    called(max(20, CALLS // 5))  # caches, arenas of threads
+    before = resident()
+    called(CALLS)
+    assert resident() - before < MOST * CALLS
+
+
+def test_files_of_out_are_closed():
+    with tempfile.TemporaryDirectory() as folder:
+        for _ in range(20):
+            graze.simulate(FILE, periods=5, out=folder, record="samples")
+        before = len(os.listdir("/proc/self/fd"))
+        for _ in range(50):
+            graze.simulate(FILE, periods=5, out=folder, record="samples")
+        assert len(os.listdir("/proc/self/fd")) <= before
