@@ -42,7 +42,7 @@ template <class Number>
 py::array view(const Number* data, std::size_t count, std::size_t stride, const py::object& owner) {
   py::array_t<Number> array({count}, {stride * sizeof(Number)}, data, owner);
   array.attr("setflags")(py::arg("write") = false);
-  return std::move(array);
+  return array;
 }
 
 // Takes the list's memory over.
