@@ -31,7 +31,7 @@ struct PythonProblem {
     const py::object value = what(py::cast(Vector(u)), p);
     if (value.is_none()) return {};
     const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(value);
-    if (!array) throw py::error_already_set();
+    if (!array) throw py::value_error(std::string(name) + " must return numbers");
     if (array.size() != unknowns * columns)
       throw py::value_error(std::string(name) + " must return " +
                             std::to_string(unknowns * columns) + " numbers for " +

@@ -33,11 +33,16 @@ def test_parameters_are_read_and_changed_by_their_names():
 
 def test_an_error_says_where(tmp_path):
     file = tmp_path / "bad.toml"
-    file.write_text("title = 'x'\n[beam]\nlength = -1\n")
+    with open(FILE) as scene:
+        lines = scene.read().split("\n")
+    line = next(i for i, text in enumerate(lines) if text.startswith("length"))
+    lines[line] = "length = -1"
+    file.write_text("\n".join(lines))
     with pytest.raises(graze.SceneError) as caught:
         graze.Scene.load(file)
     assert caught.value.file == str(file)
-    assert (caught.value.line, caught.value.column) == (3, 10)
+    assert (caught.value.line, caught.value.column) == (line + 1, 1)  # of the key
+    assert str(caught.value).startswith(f"{file}:{line + 1}:1: beam.length: ")
     assert isinstance(caught.value, (graze.Error, ValueError))
     with pytest.raises(graze.SceneError) as caught:
         graze.Scene.parse("[beam\n", "typed.toml")

@@ -51,14 +51,14 @@ def command(name: str, **unless_given: Any) -> Callable[[Function], Function]:
             unknown = [key for key in options if key not in known]
             if unknown or len(data) > takes_data:
                 signature.bind(scene, *data, **options)  # says what is wrong
-            if takes_data and not data:
-                data = (options.pop("data", None),)
+            if takes_data and not data and "data" in options:
+                data = (options.pop("data"),)
             missing = [
                 key
                 for key, parameter in signature.parameters.items()
                 if parameter.default is parameter.empty and key not in _OWN and key not in options
             ]
-            if missing:
+            if missing or len(data) != takes_data:
                 signature.bind(scene, *data, **options)
             return _run(name, scene, data, {**unless_given, **options})
 
