@@ -1,6 +1,8 @@
 // Commands with their options, read by the reader of the program's own command line.
 #include <pybind11/stl.h>
 
+#include <map>
+
 #include "bindings.hpp"
 #include "command.hpp"
 #include "in_process.hpp"
@@ -17,9 +19,25 @@ CommandReader& reader() {
   return only;
 }
 
-std::shared_ptr<FoundResult> run_words(std::vector<std::string> words, const NamedScene& scene,
+// What the words say. Calls in a loop say the same again, and to read them takes longer than to do
+// some of what they say.
+Command command_of(const std::vector<std::string>& words) {
+  static std::map<std::vector<std::string>, Command> known;
+  constexpr std::size_t kMost = 256;
+  auto found = known.find(words);
+  if (found == known.end()) {
+    if (known.size() == kMost) known.clear();
+    found = known.emplace(words, reader().read(words)).first;
+  }
+  Command command = found->second;
+  std::visit([](CommonOptions& common) { common.called = std::chrono::steady_clock::now(); },
+             command);
+  return command;
+}
+
+std::shared_ptr<FoundResult> run_words(const std::vector<std::string>& words, const NamedScene& scene,
                                        const py::object& progress) {
-  Command command = reader().read(words);
+  Command command = command_of(words);
   std::visit(
       [&](auto& given) {
         if constexpr (requires { given.given; }) {

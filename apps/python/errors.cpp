@@ -25,8 +25,10 @@ void raise_input_error(const std::string& sentence) {
   static const std::regex place(R"(^([^\n]+?):(\d{1,9}):(\d{1,9}): )");
   std::smatch match;
   if (!std::regex_search(sentence, match, place)) {
-    const char* kind = sentence.find("--") == 0 || sentence.find("'--") == 0 ? "OptionError"
-                                                                             : "SceneError";
+    // What --set says is wrong with the scene; nothing else that is has a name of an option.
+    const bool of_option = sentence.rfind("--", 0) == 0 || sentence.rfind("'--", 0) == 0;
+    const bool of_scene = !of_option || sentence.rfind("--set ", 0) == 0;
+    const char* kind = of_scene ? "SceneError" : "OptionError";
     raise(kind, made(kind, sentence));
     return;
   }

@@ -1,22 +1,16 @@
 #include "in_process.hpp"
 
-#include <chrono>
-#include <condition_variable>
 #include <exception>
-#include <mutex>
 #include <sstream>
-#include <thread>
 
 #include "graze/report/csv/csv.hpp"
 #include "program.hpp"
+#include "work_thread.hpp"
 
 namespace graze {
 namespace {
 
 namespace py = pybind11;
-
-// As often as a person who pressed Ctrl-C expects an answer.
-constexpr std::chrono::milliseconds kPause{50};
 
 std::vector<std::string> names_in(const std::string& header) {
   std::vector<std::string> names;
@@ -24,39 +18,6 @@ std::vector<std::string> names_in(const std::string& header) {
   for (std::string name; std::getline(line, name, ',');) names.push_back(name);
   return names;
 }
-
-// Work in a thread, and the end of it.
-class WorkThread {
- public:
-  explicit WorkThread(const Command& command)
-      : thread_([this, &command] {
-          try {
-            run_command(command);
-          } catch (...) {
-            error_ = std::current_exception();
-          }
-          const std::lock_guard lock(mutex_);
-          is_done_ = true;
-          done_.notify_one();
-        }) {}
-  WorkThread(const WorkThread&) = delete;
-  WorkThread& operator=(const WorkThread&) = delete;
-  ~WorkThread() { thread_.join(); }
-
-  // Whether it is done, now or soon.
-  bool waited() {
-    std::unique_lock lock(mutex_);
-    return done_.wait_for(lock, kPause, [this] { return is_done_; });
-  }
-  const std::exception_ptr& error() const { return error_; }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable done_;
-  bool is_done_ = false;
-  std::exception_ptr error_;
-  std::thread thread_;  // begins when all else is there
-};
 
 }  // namespace
 
@@ -84,19 +45,25 @@ std::shared_ptr<FoundResult> run_in_process(Command command, const py::object& p
   std::optional<py::error_already_set> raised;
   std::exception_ptr error;
   {
-    py::gil_scoped_release release;
-    WorkThread work(command);
-    while (!work.waited()) {
-      const py::gil_scoped_acquire lock;
-      try {
-        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-        if (!progress.is_none()) progress(found->progress());
-      } catch (py::error_already_set& exception) {
-        raised.emplace(std::move(exception));
-        found->stop();
-      }
-    }
-    error = work.error();
+    const py::gil_scoped_release release;
+    do_beside(
+        [&] {
+          try {
+            run_command(command);
+          } catch (...) {
+            error = std::current_exception();
+          }
+        },
+        [&] {
+          const py::gil_scoped_acquire lock;
+          try {
+            if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+            if (!progress.is_none()) progress(found->progress());
+          } catch (py::error_already_set& exception) {
+            raised.emplace(std::move(exception));
+            found->stop();
+          }
+        });
   }
   if (raised) {
     if (found->record()) raised->value().attr("result") = py::cast(found);

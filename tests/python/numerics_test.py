@@ -116,3 +116,19 @@ def test_progress_is_told(oscillator, capfd):
 
     with pytest.raises(RuntimeError, match="enough"):
         graze.simulate(oscillator, periods=10**9, record="none", max_seconds=20, progress=raises)
+
+
+def test_a_forked_process_and_a_call_within_a_call_go_on(oscillator):
+    expected = graze.simulate(oscillator, periods=50).to_json()
+    child = os.fork()
+    if child == 0:
+        same = graze.simulate(oscillator, periods=50).to_json() == expected
+        os._exit(0 if same else 1)
+    assert os.waitpid(child, 0)[1] == 0
+    found = []
+    with pytest.raises(graze.NumericsError):
+        graze.simulate(
+            oscillator, periods=10**9, record="none", max_seconds=0.3,
+            progress=lambda part: found.append(graze.simulate(oscillator, periods=50).to_json()),
+        )
+    assert set(found) == {expected}

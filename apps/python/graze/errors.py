@@ -7,7 +7,11 @@ from typing import Any, Optional
 
 
 class Error(Exception):
-    """Anything that Graze could not do."""
+    """Anything that Graze could not do. What its sentence calls as the program does, "--from", it
+    calls as the package does, "from_"."""
+
+    def __init__(self, sentence: str = "") -> None:
+        super().__init__(re.sub(r"--([a-z][a-z-]*)", _as_keyword, sentence))
 
 
 class SceneError(Error, ValueError):
@@ -24,9 +28,6 @@ class SceneError(Error, ValueError):
 
 class OptionError(Error, ValueError):
     """An argument that cannot be used, or does not go with the others."""
-
-    def __init__(self, sentence: str = "") -> None:
-        super().__init__(re.sub(r"--([a-z][a-z-]*)", _as_keyword, sentence))
 
 
 class FileError(Error, OSError):
