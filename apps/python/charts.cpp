@@ -51,7 +51,9 @@ double largest_of(const ChartPanel& panel, bool upright) {
 
 py::dict axis_dict(const ChartAxis& axis, double largest) {
   using namespace py::literals;
-  const AxisUnit unit = axis_unit(axis.unit, largest);
+  // Decades are read as they are.
+  const AxisUnit unit =
+      axis.scale == AxisScale::kLinear ? axis_unit(axis.unit, largest) : AxisUnit{1.0, axis.unit};
   const py::object range =
       axis.range.empty() ? py::object(py::none())
                          : py::object(py::make_tuple(axis.range.low, axis.range.high));

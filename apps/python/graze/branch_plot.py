@@ -14,7 +14,7 @@ def plot_branches(result: Any, axes: Any = None) -> Any:
     figure, cell = one_axes(axes)
     _label_parameter(cell, result, result.document["parameter"], "x")
     _draw_branches(cell, result)
-    add_legend(cell)
+    add_legend(figure, axes)
     return figure
 
 
@@ -37,7 +37,7 @@ def plot_diagram(result: Any, axes: Any = None) -> Any:
         _draw_branches(cell, result)
     cell.set_ylabel(label("impact speed" if of_impacts else name, unit))
     _label_parameter(cell, result, result.document["parameter"], "x")
-    add_legend(cell)
+    add_legend(figure, axes)
     return figure
 
 
@@ -52,7 +52,7 @@ def plot_loci(result: Any, axes: Any = None) -> Any:
     options = result.document["graze"]["options"]
     _label_parameter(cell, result, options["parameter"], "x")
     _label_parameter(cell, result, options["second"], "y")
-    add_legend(cell)
+    add_legend(figure, axes)
     return figure
 
 
@@ -74,7 +74,7 @@ def plot_equations(branch: Any, unknown: int, axes: Any = None) -> Any:
         )
     cell.set_xlabel("p")
     cell.set_ylabel(f"u{unknown + 1}")
-    add_legend(cell)
+    add_legend(figure, axes)
     return figure
 
 

@@ -15,6 +15,7 @@ def plot_chart(chart: Dict[str, Any], axes: Any = None) -> Any:
         if len(rows) != 1 or len(rows[0]) != 1:
             raise ValueError("axes: this picture has several panels; leave it out")
         _draw_panel(axes, rows[0][0])
+        add_legend(axes.figure, axes)
         return axes.figure
     columns = max(len(row) for row in rows)
     heights = [max(panel["height"] for panel in row) for row in rows]
@@ -24,6 +25,7 @@ def plot_chart(chart: Dict[str, Any], axes: Any = None) -> Any:
             _draw_panel(cell, panel)
         for unused in cells[len(row):]:
             unused.set_axis_off()
+    add_legend(figure, None)
     return figure
 
 
@@ -51,7 +53,6 @@ def _draw_panel(axes: Any, panel: Dict[str, Any]) -> None:
         axes.set_title(panel["heading"], fontsize=8.0)
     if panel["remark"]:
         axes.text(0.5, 0.5, panel["remark"], transform=axes.transAxes, ha="center", fontsize=8.0)
-    add_legend(axes)
 
 
 def _within(axes: Any, value: float, end: str, is_upright: bool) -> float:

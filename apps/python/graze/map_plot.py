@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, List
+from typing import Any, List
 
 import numpy as np
 
@@ -12,13 +12,11 @@ from .picture_style import add_legend, looks, one_axes
 
 def plot_map(result: Any, axes: Any = None) -> Any:
     table = result.table("map")
-    names = {place["attractor"]: place["label"] for place in _attractors(result)}
+    found = result.document["attractors"]
+    names = {i: place["attractor"] for i, place in enumerate(found, start=1)}
     number = np.asarray(table["attractor"], dtype=float)
     shown = [names.get(int(n), f"attractor {int(n)}") if np.isfinite(n) else "none" for n in number]
-    figure = _plot_cells(result, table, shown, axes)
-    if "loci" in result.tables:
-        draw_loci(figure.axes[0] if axes is None else axes, result.table("loci"))
-    return figure
+    return _plot_cells(result, table, shown, axes)
 
 
 def plot_comparison(result: Any, axes: Any = None) -> Any:
@@ -26,14 +24,6 @@ def plot_comparison(result: Any, axes: Any = None) -> Any:
     same = table["one"] == table["other"]
     shown = [one if agree else "differs" for one, agree in zip(table["one"], same)]
     return _plot_cells(result, table, shown, axes)
-
-
-def _attractors(result: Any) -> List[Dict[str, Any]]:
-    found = result.document.get("attractors", [])
-    return [
-        {"attractor": i + 1, "label": str(place.get("label", place.get("kind", i + 1)))}
-        for i, place in enumerate(found)
-    ]
 
 
 def _plot_cells(result: Any, table: Any, shown: List[str], axes: Any) -> Any:
@@ -44,7 +34,7 @@ def _plot_cells(result: Any, table: Any, shown: List[str], axes: Any) -> Any:
     x, columns = np.unique(table["x"], return_inverse=True)
     y, rows = np.unique(table["y"], return_inverse=True)
     labels = sorted(set(shown), key=lambda name: -shown.count(name))
-    grounds = looks()["grounds"]
+    grounds = {name: look for look in looks()["grounds"].values() for name in (look["id"], look["title"])}
     others = iter(looks()["other_grounds"])
     colours = [
         grounds[name]["colour"] if name in grounds else next(others, grounds["other"]["colour"])
@@ -58,10 +48,8 @@ def _plot_cells(result: Any, table: Any, shown: List[str], axes: Any) -> Any:
     )
     options = result.document["graze"]["options"]
     label_plane(cell, result, (options["parameter"], options["second"]))
-    handles = [Patch(color=colour, label=name) for name, colour in zip(labels, colours)]
-    add_legend(cell)
-    cell.add_artist(
-        cell.legend(handles=handles[:9], loc="upper left", bbox_to_anchor=(0.0, -0.16), ncol=3,
-                    fontsize=7.0, frameon=False)
-    )
+    if "loci" in result.tables:
+        draw_loci(cell, result.table("loci"))
+    # A legend names those that have the most cells.
+    add_legend(figure, axes, [Patch(color=c, label=name) for name, c in zip(labels, colours)][:9])
     return figure

@@ -36,8 +36,8 @@ def _plot_gaps(result: Any, axes: Any) -> Any:
         )
         cell.axhline(0.0, color="#999999", linewidth=0.6)
         cell.set_ylabel(label(f"gap {stop}" if result.scene.stops > 1 else "gap", unit))
-        add_legend(cell)
     grid[-1][0].set_xlabel("time (s)")
+    add_legend(figure, axes)
     return figure
 
 
@@ -57,7 +57,7 @@ def _plot_speeds(result: Any, axes: Any) -> Any:
         )
     cell.set_xlabel("time (s)")
     cell.set_ylabel(label("impact speed", unit))
-    add_legend(cell)
+    add_legend(figure, axes)
     return figure
 
 
@@ -77,5 +77,5 @@ def _plot_section(result: Any, axes: Any) -> Any:
         )
     cell.set_xlabel(label(across, x_unit[1]))
     cell.set_ylabel(label(up, y_unit[1]))
-    add_legend(cell)
+    add_legend(figure, axes)
     return figure

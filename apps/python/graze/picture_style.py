@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Any, Dict, Tuple
+from typing import Any, Dict, Sequence, Tuple
 
 import numpy as np
 
@@ -66,7 +66,7 @@ def new_figure(rows: int, columns: int, heights: Any = None, width: float = 12.0
             rows,
             columns,
             squeeze=False,
-            figsize=(width * CENTIMETRE, (sum(heights) + 1.8 * rows) * CENTIMETRE),
+            figsize=(width * CENTIMETRE, (sum(heights) + 1.8 * rows + 1.0) * CENTIMETRE),
             gridspec_kw={"height_ratios": heights},
             constrained_layout=True,
         )
@@ -80,12 +80,21 @@ def one_axes(axes: Any, height: float = 7.0) -> Any:
     return figure, grid[0][0]
 
 
-def add_legend(axes: Any) -> None:
-    """Every title once, above the axes."""
-    handles, titles = axes.get_legend_handles_labels()
-    unique = dict(zip(titles, handles))
-    if unique:
-        axes.legend(
-            unique.values(), unique.keys(), loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=3,
-            fontsize=7.0, frameon=False,
-        )
+def add_legend(figure: Any, given: Any, more: Sequence[Any] = ()) -> None:
+    """Every title once: at the head of a figure of the package's own, within axes that were given.
+    `more`: patches that stand in no axes."""
+    cells = figure.axes if given is None else [given]
+    unique = {patch.get_label(): patch for patch in more}
+    for cell in cells:
+        handles, titles = cell.get_legend_handles_labels()
+        unique.update({title: handle for title, handle in zip(titles, handles) if title not in unique})
+    if not unique:
+        return
+    style = {"fontsize": 7.0, "frameon": False, "handlelength": 2.2}
+    if given is not None:
+        given.legend(unique.values(), unique.keys(), **style)
+        return
+    rows = -(-len(unique) // 3)
+    figure.legend(unique.values(), unique.keys(), loc="upper left", ncol=3, **style)
+    taken = (0.42 * rows + 0.2) * CENTIMETRE / figure.get_figheight()
+    figure.get_layout_engine().set(rect=(0.0, 0.0, 1.0, 1.0 - taken))
