@@ -113,9 +113,9 @@ py::dict look_dicts() {
   return groups;
 }
 
-py::tuple axis_unit_pair(const std::string& si_unit, double largest) {
+std::pair<double, std::string> axis_unit_pair(const std::string& si_unit, double largest) {
   const AxisUnit unit = axis_unit(si_unit, largest);
-  return py::make_tuple(unit.factor, plain_text(unit.unit));
+  return {unit.factor, plain_text(unit.unit)};
 }
 
 std::string plain_parameter_title(const std::string& path) {

@@ -5,6 +5,8 @@
 #include <pybind11/pybind11.h>
 
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "graze/record/stored/detail/record_file.hpp"
 #include "graze/report/chart/chart.hpp"
@@ -18,7 +20,7 @@ pybind11::dict chart_dict(const Chart& chart);
 pybind11::dict look_dicts();
 
 // (factor, unit) in which SI values up to `largest` are read best, and the label of a parameter.
-pybind11::tuple axis_unit_pair(const std::string& si_unit, double largest);
+std::pair<double, std::string> axis_unit_pair(const std::string& si_unit, double largest);
 std::string plain_parameter_title(const std::string& path);
 
 // What a picture of the record shows, where that is a chart.

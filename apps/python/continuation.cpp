@@ -127,9 +127,11 @@ py::dict branch_dict(const Branch& branch, Eigen::Index unknowns) {
                   "evaluations"_a = branch.evaluations, "rejected"_a = branch.rejected);
 }
 
-// None where no solution was found near the start.
-py::object trace(const py::object& function, const Vector& u, double p, const py::object& jacobian,
-                 const py::object& by_parameter, const py::dict& wanted) {
+// Nothing where no solution was found near the start.
+std::optional<py::dict> trace(const py::object& function, const py::object& start_at, double p,
+                              const py::object& jacobian, const py::object& by_parameter,
+                              const py::dict& wanted) {
+  const auto u = start_at.cast<Vector>();
   const PythonProblem problem{function, jacobian, by_parameter, u.size()};
   ZeroProblem equations;
   equations.evaluate = [&](const Vector& at, Parameters parameters) {
@@ -155,7 +157,7 @@ py::object trace(const py::object& function, const Vector& u, double p, const py
   };
   const std::optional<SolutionPoint> start = solve_at(equations, options, u, p);
   if (*problem.raised) std::rethrow_exception(*problem.raised);
-  if (!start) return py::none();
+  if (!start) return {};
   const Branch branch = trace_branch(equations, options, *start);
   if (*problem.raised) std::rethrow_exception(*problem.raised);
   return branch_dict(branch, u.size());

@@ -9,6 +9,7 @@
 #include "csv_columns.hpp"
 #include "drawing.hpp"
 #include "graze/report/csv/csv.hpp"
+#include "graze/report/json/detail/json_page.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/detail/names.hpp"
 #include "graze/report/text/text.hpp"
@@ -178,10 +179,26 @@ void save(const FoundResult& result, const std::string& file) {
       record_of(result));
 }
 
-py::object chart(const FoundResult& result) {
+std::optional<py::dict> chart(const FoundResult& result) {
   const std::optional<Chart> made = std::visit(
       [&](const auto& record) { return chart_shown(record, result.scene()); }, record_of(result));
-  return made ? py::object(chart_dict(*made)) : py::none();
+  return made ? std::optional(chart_dict(*made)) : std::nullopt;
+}
+
+// Title and unit of what --show named, where that was measured.
+std::optional<std::pair<std::string, std::string>> shown(const FoundResult& result) {
+  const auto titled = [](const std::optional<Shown>& of, const std::vector<MeasuredPlace>& places) {
+    return of ? std::optional(std::pair(plain_text(shown_title(*of, places)), shown_unit(*of, places)))
+              : std::nullopt;
+  };
+  const AnyRecord& record = record_of(result);
+  if (const auto* branches = std::get_if<BranchRecord>(&record))
+    return titled(branches->shown, branches->amplitudes.places);
+  if (const auto* diagram = std::get_if<DiagramRecord>(&record))
+    return titled(diagram->branches.shown, diagram->branches.amplitudes.places);
+  if (const auto* map = std::get_if<MapRecord>(&record))
+    return titled(map->measured, map->places);
+  return {};
 }
 
 template <class Record>
@@ -202,8 +219,9 @@ const Outcome& outcome(const FoundResult& result) {
 void bind_results(py::module_& module) {
   using Self = const FoundResult&;
   py::class_<FoundResult, std::shared_ptr<FoundResult>>(module, "FoundResult")
-      .def_property_readonly("kind", [](Self self) -> py::object {
-        return self.record() ? py::object(py::str(kKinds[self.record()->index()])) : py::none();
+      .def_property_readonly("kind", [](Self self) {
+        return self.record() ? std::optional<std::string>(kKinds[self.record()->index()])
+                             : std::nullopt;
       })
       .def_property_readonly("outcome", [](Self self) { return outcome(self).name; })
       .def_property_readonly("message", [](Self self) { return words(outcome(self).message); })
@@ -229,6 +247,7 @@ void bind_results(py::module_& module) {
       .def("table_names", table_names)
       .def("table", table)
       .def("chart", chart)
+      .def("shown", shown)
       .def("save", save);
   module.def("looks", look_dicts);
   module.def("axis_unit", axis_unit_pair);

@@ -42,8 +42,6 @@ py::dict parameters(const Scene& scene) {
 
 void bind_scenes(py::module_& module) {
   py::class_<NamedScene>(module, "NamedScene")
-      .def_static("load", loaded)
-      .def_static("parse", parsed)
       .def("changed", changed)
       .def_readonly("name", &NamedScene::name)
       .def_readonly("settings", &NamedScene::settings)
@@ -59,6 +57,8 @@ void bind_scenes(py::module_& module) {
                              [](const NamedScene& self) { return self.scene->forcing.has_value(); })
       .def_property_readonly("stops",
                              [](const NamedScene& self) { return self.scene->stops.size(); });
+  module.def("load_scene", loaded);
+  module.def("parse_scene", parsed);
 }
 
 }  // namespace graze

@@ -8,8 +8,10 @@ import pytest
 #: Of what is printed and drawn, which a result is asked for afterwards.
 ELSEWHERE = {
     "json", "quiet", "wide", "verbose", "plot", "title", "style", "labels", "x-range", "y-range",
-    "x-scale", "y-scale", "multipliers", "show", "at", "shapes-at",
+    "x-scale", "y-scale", "multipliers",
 }
+#: Which need --plot in the program.
+OF_PICTURES = {"simulate": {"show", "shapes-at"}, "loci": {"show", "at"}}
 OF_LOCI = {"locus", "second", "second-from", "second-to", "slices", "regions"}
 OF_BRANCHES = {"amplitudes", "switch"}
 
@@ -29,6 +31,7 @@ def test_every_option_is_a_keyword(name):
     command = "continue" if name == "loci" else name
     without = {"continue": OF_LOCI, "loci": OF_BRANCHES}.get(name, set())
     options = {option for option, *_ in graze._core.options(command)} - ELSEWHERE - without
+    options -= OF_PICTURES.get(name, set())
     keywords = set(inspect.signature(FUNCTIONS[name]).parameters) - {"scene", "data", "progress"}
     assert keywords == {as_keyword(option) for option in options}
 

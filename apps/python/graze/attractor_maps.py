@@ -17,7 +17,7 @@ class Map(Result):
     main_table = "map"
 
     def plot(self, axes: Any = None) -> Any:
-        """A colour for each attractor."""
+        """A colour for each attractor, or a scale of colours for what `show` named."""
         from .map_plot import plot_map
 
         return plot_map(self, axes)
@@ -43,6 +43,8 @@ def map(
     samples: int = 100,
     exponents: Optional[int] = None,
     amplitudes: bool = False,
+    show: str = "attractor",
+    at: Optional[str] = None,
     locus: Union[None, str, Sequence[str]] = None,
     slices: int = 8,
     period: int = 1,

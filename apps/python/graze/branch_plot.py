@@ -21,8 +21,10 @@ def plot_branches(result: Any, axes: Any = None) -> Any:
 def plot_diagram(result: Any, axes: Any = None) -> Any:
     figure, cell = one_axes(axes)
     sweep = result.table("sweep")
-    of_impacts = bool(np.any(np.isfinite(sweep["speed"])))
-    name, unit = ("speed", "m/s") if of_impacts else ("displacement", "m")
+    name, title, unit = shown_column(result, sweep)
+    has_branches = name != "speed" or bool(np.any(np.isfinite(sweep["speed"])))
+    if not has_branches:
+        name, title, unit = "displacement", "displacement", "m"
     factor, unit = unit_for(unit, sweep[name])
     repeats = np.isfinite(np.asarray(sweep["period"], dtype=float))
     for which, dots in ((repeats, "periodic"), (~repeats, "wild")):
@@ -33,9 +35,9 @@ def plot_diagram(result: Any, axes: Any = None) -> Any:
                 sweep["value"][which], factor * sweep[name][which], label=look["title"],
                 **{**style, "markersize": 1.5},
             )
-    if of_impacts and result.table("branches").rows:
+    if has_branches and result.table("branches").rows:
         _draw_branches(cell, result)
-    cell.set_ylabel(label("impact speed" if of_impacts else name, unit))
+    cell.set_ylabel(label(title, unit))
     _label_parameter(cell, result, result.document["parameter"], "x")
     add_legend(figure, axes)
     return figure
@@ -78,25 +80,39 @@ def plot_equations(branch: Any, unknown: int, axes: Any = None) -> Any:
     return figure
 
 
+def shown_column(result: Any, table: Any) -> Tuple[str, str, str]:
+    """(column, title, unit) of what `show` named; of impacts where it named nothing."""
+    shown = result._found.shown()
+    if shown is None:
+        return "speed", "impact speed", "m/s"
+    options = result.document["graze"]["options"]
+    ending = "_" + options["show"].replace("-", "_")
+    place = options.get("at", "").replace(".", "_")
+    columns = [name for name in table.columns if name.startswith(place) and name.endswith(ending)]
+    return min(columns, key=len), shown[0], shown[1]
+
+
 def _draw_branches(cell: Any, result: Any) -> None:
     branches, special = result.table("branches"), result.table("special")
-    factor, unit = unit_for("m/s", branches["speed"])
+    column, title, unit = shown_column(result, branches)
+    factor, unit = unit_for(unit, branches[column])
     stable = np.asarray(branches["stable"], dtype=float)
     kinds = np.where(np.isnan(stable), "open", np.where(stable == 1.0, "stable", "unstable"))
     kinds = np.where(branches["admissible"] == 0, "virtual", kinds)
     for part in _runs(branches["branch"], kinds):
         look = looks()["lines"][str(kinds[part][0])]
-        x, y = branches["value"][part], factor * branches["speed"][part]
+        x, y = branches["value"][part], factor * branches[column][part]
         cell.plot(x, y, label=look["title"], **line_style(look))
     known = looks()["special"]
-    for name in np.unique(special["label"].astype(str)) if special.rows else ():
+    # What is measured is known at the points of the branches alone.
+    for name in np.unique(special["label"].astype(str)) if special.rows and column == "speed" else ():
         of = special["label"] == name
         look = known.get(name, known["LP"])
         cell.plot(
             special["value"][of], factor * special["speed"][of], label=look["title"],
             **line_style(look, with_line=False),
         )
-    cell.set_ylabel(label("impact speed", unit))
+    cell.set_ylabel(label(title, unit))
 
 
 def _runs(*lists: Any) -> Iterator[slice]:

@@ -17,7 +17,8 @@ class Branches(Result):
     main_table = "branches"
 
     def plot(self, axes: Any = None) -> Any:
-        """Speed of the first impact over the parameter, with stability and special points."""
+        """Speed of the first impact, or what `show` named, over the parameter, with stability and
+        special points."""
         from .branch_plot import plot_branches
 
         return plot_branches(self, axes)
@@ -43,6 +44,8 @@ def continue_(
     follow: str = "none",
     depth: int = 2,
     amplitudes: bool = False,
+    show: Optional[str] = None,
+    at: Optional[str] = None,
     restart: Optional[PathLike] = None,
     label: Optional[str] = None,
     switch: bool = False,

@@ -94,7 +94,7 @@ def _run(name: str, scene: Any, data: Any, options: Dict[str, Any]) -> Any:
 
 
 def _wrapped(found: "_core.FoundResult", scene: Any) -> Optional[Result]:
-    return _kinds[found.kind](found, scene) if found.kind else None
+    return _kinds[found.kind](found, scene) if found.kind is not None else None
 
 
 def option_words(key: str, value: Any) -> List[str]:

@@ -23,7 +23,7 @@ class ComparisonMap(Result):
     main_table = "comparison"
 
     def plot(self, axes: Any = None) -> Any:
-        """Where both motions settle on the same."""
+        """Where both motions settle on the same, or the difference that `show` named."""
         from .map_plot import plot_comparison
 
         return plot_comparison(self, axes)
@@ -43,6 +43,7 @@ def compare(
     against: Union[None, str, Sequence[str], Mapping[str, Any]] = None,
     modes: Union[None, str, Tuple[int, int]] = None,
     sensitivity: bool = False,
+    show: str = "attractor",
     parameter: Optional[str] = None,
     from_: Optional[float] = None,
     to: Optional[float] = None,

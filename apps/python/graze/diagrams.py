@@ -56,6 +56,8 @@ def diagram(
     follow: str = "none",
     depth: int = 2,
     amplitudes: bool = False,
+    show: Optional[str] = None,
+    at: Optional[str] = None,
     resume: bool = False,
     shard: Optional[str] = None,
     closure_speed: Optional[float] = None,

@@ -6,12 +6,21 @@ from typing import Any, List
 
 import numpy as np
 
-from .branch_plot import draw_loci, label_plane
-from .picture_style import add_legend, looks, one_axes
+from .branch_plot import draw_loci, label_plane, shown_column
+from .picture_style import add_legend, label, looks, one_axes, unit_for
 
 
 def plot_map(result: Any, axes: Any = None) -> Any:
     table = result.table("map")
+    show = result.document["graze"]["options"].get("show", "attractor")
+    if show != "attractor":
+        columns = {
+            "impacts": ("impacts_per_period", "impacts a forcing period", ""),
+            "speed": ("peak_speed", "peak speed", "m/s"),
+            "stuck": ("stuck_part", "part of the time that it sticks", ""),
+            "exponent": ("exponent", "largest exponent", "1/s"),
+        }
+        return _plot_scale(result, table, *columns.get(show) or shown_column(result, table), axes)
     found = result.document["attractors"]
     names = {i: place["attractor"] for i, place in enumerate(found, start=1)}
     number = np.asarray(table["attractor"], dtype=float)
@@ -21,9 +30,32 @@ def plot_map(result: Any, axes: Any = None) -> Any:
 
 def plot_comparison(result: Any, axes: Any = None) -> Any:
     table = result.table("comparison")
+    show = result.document["graze"]["options"]["show"]
+    if show != "attractor":
+        return _plot_scale(result, table, show, show.replace("_", " "), "", axes)
     same = table["one"] == table["other"]
     shown = [one if agree else "differs" for one, agree in zip(table["one"], same)]
     return _plot_cells(result, table, shown, axes)
+
+
+def _plane(table: Any, values: Any) -> Any:
+    """(x, y, values by rows and columns), NaN where there is no cell."""
+    x, columns = np.unique(table["x"], return_inverse=True)
+    y, rows = np.unique(table["y"], return_inverse=True)
+    cells = np.full((len(y), len(x)), np.nan)
+    cells[rows, columns] = values
+    return x, y, np.ma.masked_invalid(cells)
+
+
+def _plot_scale(result: Any, table: Any, column: str, title: str, unit: str, axes: Any) -> Any:
+    figure, cell = one_axes(axes, 8.0)
+    factor, unit = unit_for(unit, np.asarray(table[column], dtype=float))
+    x, y, cells = _plane(table, factor * table[column])
+    drawn = cell.pcolormesh(x, y, cells, cmap="viridis", shading="nearest", rasterized=True)
+    figure.colorbar(drawn, ax=cell, label=label(title, unit))
+    options = result.document["graze"]["options"]
+    label_plane(cell, result, (options["parameter"], options["second"]))
+    return figure
 
 
 def _plot_cells(result: Any, table: Any, shown: List[str], axes: Any) -> Any:
@@ -31,8 +63,6 @@ def _plot_cells(result: Any, table: Any, shown: List[str], axes: Any) -> Any:
     from matplotlib.patches import Patch
 
     figure, cell = one_axes(axes, 8.0)
-    x, columns = np.unique(table["x"], return_inverse=True)
-    y, rows = np.unique(table["y"], return_inverse=True)
     labels = sorted(set(shown), key=lambda name: -shown.count(name))
     grounds = {name: look for look in looks()["grounds"].values() for name in (look["id"], look["title"])}
     others = iter(looks()["other_grounds"])
@@ -40,10 +70,9 @@ def _plot_cells(result: Any, table: Any, shown: List[str], axes: Any) -> Any:
         grounds[name]["colour"] if name in grounds else next(others, grounds["other"]["colour"])
         for name in labels
     ]
-    cells = np.full((len(y), len(x)), np.nan)
-    cells[rows, columns] = [labels.index(name) for name in shown]
+    x, y, cells = _plane(table, [labels.index(name) for name in shown])
     cell.pcolormesh(
-        x, y, np.ma.masked_invalid(cells), cmap=ListedColormap(colours or ["#FFFFFF"]),
+        x, y, cells, cmap=ListedColormap(colours or ["#FFFFFF"]),
         vmin=-0.5, vmax=max(len(labels), 1) - 0.5, shading="nearest", rasterized=True,
     )
     options = result.document["graze"]["options"]

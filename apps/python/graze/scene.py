@@ -23,13 +23,13 @@ class Scene:
     def load(cls, path: Union[str, "os.PathLike[str]"], set: Settings = None) -> "Scene":
         """Reads a scene file (TOML). `set` replaces or adds keys: {"stop.gap": 2e-3}, or as the
         program's --set takes them, "stop.gap=2e-3". Raises SceneError and FileError."""
-        return cls(_core.NamedScene.load(os.fspath(path), settings_of(set)))
+        return cls(_core.load_scene(os.fspath(path), settings_of(set)))
 
     @classmethod
     def parse(cls, text: str, name: str = "scene", set: Settings = None) -> "Scene":
         """The same for TOML text. `name` stands for the file in messages; files that the scene
         names are looked for beside it."""
-        return cls(_core.NamedScene.parse(text, name, settings_of(set)))
+        return cls(_core.parse_scene(text, name, settings_of(set)))
 
     @classmethod
     def from_dict(cls, tables: Mapping[str, Any], name: str = "scene", set: Settings = None) -> "Scene":
