@@ -26,7 +26,8 @@ class Caller {
   virtual void hear(const Event& event) = 0;
   virtual void hear(const Sample& sample) = 0;
   // Before the first of them.
-  virtual void begin_run(const System& system, const std::vector<ProbeRow>& probes, bool energy) = 0;
+  virtual void begin_run(const System& system, const std::vector<ProbeRow>& probes,
+                         bool energy) = 0;
 
   // The result, and the scene in force.
   virtual void take(AnyRecord record, const Scene& scene) = 0;

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of packages.txt that are missing, and npm; with --tests also the browser
 # and Python that only the tests need, with --mpi also what graze-mpi needs (-DGRAZE_MPI=ON), with
-# --python what the Python package and its tests need (-DGRAZE_PYTHON=ON). Needs root or sudo; without either it prints the one line to run and exits 2.
+# --python what the Python package and its tests need (-DGRAZE_PYTHON=ON). Needs root or
+# sudo; without either it prints the one line to run and exits 2.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 

@@ -90,7 +90,7 @@ StopSignal stop_signal(const CommonOptions& command) {
   constexpr double kLongest = 1e9;
   if (command.max_seconds < kLongest)
     signal.deadline = command.called + std::chrono::duration_cast<Clock::duration>(
-                                   std::chrono::duration<double>(command.max_seconds));
+                                           std::chrono::duration<double>(command.max_seconds));
   return signal;
 }
 

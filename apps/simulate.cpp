@@ -270,9 +270,7 @@ int run(const SimulateCommand& command) {
                record.run.state};
   // Those of a picture are none to go on with.
   if (!state.sample_rate) state.state.samples = 0;
-  const auto files = [&] {
-    return NamedFiles{{kStateFile, write_run_state(state)}};
-  };
+  const auto files = [&] { return NamedFiles{{kStateFile, write_run_state(state)}}; };
   return conclude(
       command, record, scene, files,
       {[&] { return to_json(record, output.events()); }, {}, {}, {}, output.take_tables()});

@@ -20,15 +20,24 @@ py::array numbers(const std::vector<double>& list) {
 
 const char* mark_name(MarkShape mark) {
   switch (mark) {
-    case MarkShape::kDot: return ".";
-    case MarkShape::kCircle: return "o";
-    case MarkShape::kSquare: return "s";
-    case MarkShape::kDiamond: return "D";
-    case MarkShape::kUp: return "^";
-    case MarkShape::kDown: return "v";
-    case MarkShape::kPentagon: return "p";
-    case MarkShape::kCross: return "x";
-    case MarkShape::kNone: break;
+    case MarkShape::kDot:
+      return ".";
+    case MarkShape::kCircle:
+      return "o";
+    case MarkShape::kSquare:
+      return "s";
+    case MarkShape::kDiamond:
+      return "D";
+    case MarkShape::kUp:
+      return "^";
+    case MarkShape::kDown:
+      return "v";
+    case MarkShape::kPentagon:
+      return "p";
+    case MarkShape::kCross:
+      return "x";
+    case MarkShape::kNone:
+      break;
   }
   return "";
 }
@@ -36,8 +45,8 @@ const char* mark_name(MarkShape mark) {
 py::dict look_dict(const Look& look) {
   using namespace py::literals;
   return py::dict("id"_a = look.id, "title"_a = plain_text(look.title), "colour"_a = look.colour,
-                  "dashes"_a = look.dashes, "width"_a = look.width,
-                  "mark"_a = mark_name(look.mark), "open"_a = look.open, "size"_a = look.size);
+                  "dashes"_a = look.dashes, "width"_a = look.width, "mark"_a = mark_name(look.mark),
+                  "open"_a = look.open, "size"_a = look.size);
 }
 
 double largest_of(const ChartPanel& panel, bool upright) {
@@ -54,9 +63,9 @@ py::dict axis_dict(const ChartAxis& axis, double largest) {
   // Decades are read as they are.
   const AxisUnit unit =
       axis.scale == AxisScale::kLinear ? axis_unit(axis.unit, largest) : AxisUnit{1.0, axis.unit};
-  const py::object range =
-      axis.range.empty() ? py::object(py::none())
-                         : py::object(py::make_tuple(axis.range.low, axis.range.high));
+  const py::object range = axis.range.empty()
+                               ? py::object(py::none())
+                               : py::object(py::make_tuple(axis.range.low, axis.range.high));
   return py::dict("name"_a = plain_text(axis.name), "unit"_a = plain_text(unit.unit),
                   "factor"_a = unit.factor, "range"_a = range, "scale"_a = name_of(axis.scale),
                   "from_zero"_a = axis.from_zero);

@@ -35,8 +35,8 @@ Command command_of(const std::vector<std::string>& words) {
   return command;
 }
 
-std::shared_ptr<FoundResult> run_words(const std::vector<std::string>& words, const NamedScene& scene,
-                                       const py::object& progress) {
+std::shared_ptr<FoundResult> run_words(const std::vector<std::string>& words,
+                                       const NamedScene& scene, const py::object& progress) {
   Command command = command_of(words);
   std::visit(
       [&](auto& given) {

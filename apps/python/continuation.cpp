@@ -30,7 +30,8 @@ struct PythonProblem {
                                Eigen::Index columns, const char* name) const {
     const py::object value = what(py::cast(Vector(u)), p);
     if (value.is_none()) return {};
-    const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(value);
+    const auto array =
+        py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(value);
     if (!array) throw py::value_error(std::string(name) + " must return numbers");
     if (array.size() != unknowns * columns)
       throw py::value_error(std::string(name) + " must return " +
@@ -96,14 +97,22 @@ struct PythonProblem {
 
 const char* end_name(BranchEnd end) {
   switch (end) {
-    case BranchEnd::kParameterLimit: return "parameter_limit";
-    case BranchEnd::kUnknownLimit: return "unknown_limit";
-    case BranchEnd::kClosed: return "closed";
-    case BranchEnd::kStepLimit: return "step_limit";
-    case BranchEnd::kNotConverged: return "not_converged";
-    case BranchEnd::kHalted: return "halted";
-    case BranchEnd::kOutOfTime: return "out_of_time";
-    case BranchEnd::kStopped: break;
+    case BranchEnd::kParameterLimit:
+      return "parameter_limit";
+    case BranchEnd::kUnknownLimit:
+      return "unknown_limit";
+    case BranchEnd::kClosed:
+      return "closed";
+    case BranchEnd::kStepLimit:
+      return "step_limit";
+    case BranchEnd::kNotConverged:
+      return "not_converged";
+    case BranchEnd::kHalted:
+      return "halted";
+    case BranchEnd::kOutOfTime:
+      return "out_of_time";
+    case BranchEnd::kStopped:
+      break;
   }
   return "stopped";
 }
@@ -146,9 +155,9 @@ std::optional<py::dict> trace(const py::object& function, const py::object& star
   options.residual_tolerance = wanted["residual_tolerance"].cast<double>();
   options.max_points = wanted["max_points"].cast<int>();
   using Clock = std::chrono::steady_clock;
-  options.stop.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                             std::chrono::duration<double>(
-                                                 wanted["max_seconds"].cast<double>()));
+  options.stop.deadline =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                         std::chrono::duration<double>(wanted["max_seconds"].cast<double>()));
   // Python looks for Ctrl-C while it runs F; a compiled F does not.
   options.proceed = [&](const SolutionPoint&, const SolutionPoint&) {
     if (!*problem.raised && PyErr_CheckSignals() != 0)

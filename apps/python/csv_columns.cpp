@@ -75,8 +75,7 @@ class GrowingColumn {
       words_.codes.push_back(-1);
       return;
     }
-    const auto [at, is_new] =
-        places_.emplace(cell, static_cast<std::int32_t>(words_.words.size()));
+    const auto [at, is_new] = places_.emplace(cell, static_cast<std::int32_t>(words_.words.size()));
     if (is_new) words_.words.push_back(cell);
     words_.codes.push_back(at->second);
   }

@@ -15,8 +15,8 @@ void raise(const char* kind, const py::object& exception) {
 
 py::object made(const char* kind, const std::string& sentence) {
   // Names of files may be no UTF-8.
-  const py::object words = py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(
-      sentence.data(), static_cast<Py_ssize_t>(sentence.size()), "replace"));
+  const py::object words = py::reinterpret_steal<py::object>(
+      PyUnicode_DecodeUTF8(sentence.data(), static_cast<Py_ssize_t>(sentence.size()), "replace"));
   return py::module_::import("graze.errors").attr(kind)(words);
 }
 

@@ -22,9 +22,7 @@ std::vector<std::string> names_in(const std::string& header) {
 }  // namespace
 
 void FoundResult::hear(const Sample& sample) {
-  row_.clear();
-  add_sample_row(*system_, sample, *probes_, row_);
-  samples_->add(row_);
+  write_sample_row(*system_, sample, *probes_, samples_->add());
 }
 
 void FoundResult::begin_run(const System& system, const std::vector<ProbeRow>& probes,

@@ -41,7 +41,6 @@ class FoundResult final : public Caller {
   Scene scene_;
   std::vector<Event> events_;
   std::unique_ptr<Rows> samples_;
-  std::vector<double> row_;
   const System* system_ = nullptr;
   const std::vector<ProbeRow>* probes_ = nullptr;
 };

@@ -9,9 +9,9 @@
 #include "csv_columns.hpp"
 #include "drawing.hpp"
 #include "graze/report/csv/csv.hpp"
+#include "graze/report/detail/names.hpp"
 #include "graze/report/json/detail/json_page.hpp"
 #include "graze/report/json/json.hpp"
-#include "graze/report/detail/names.hpp"
 #include "graze/report/text/text.hpp"
 #include "in_process.hpp"
 #include "tables.hpp"
@@ -22,10 +22,9 @@ namespace {
 namespace py = pybind11;
 
 // In the order of AnyRecord.
-constexpr const char* kKinds[] = {"check",       "simulation",     "orbits",      "branches",
-                                  "loci",        "diagram",        "run_diagram", "map",
-                                  "comparison",  "comparison_map", "sensitivity", "cost",
-                                  "fit",         "modes"};
+constexpr const char* kKinds[] = {
+    "check", "simulation", "orbits",         "branches",    "loci", "diagram", "run_diagram",
+    "map",   "comparison", "comparison_map", "sensitivity", "cost", "fit",     "modes"};
 static_assert(std::size(kKinds) == std::variant_size_v<AnyRecord>);
 
 const AnyRecord& record_of(const FoundResult& result) {
@@ -54,7 +53,8 @@ py::array array_of(std::vector<Number>&& list) {
   return view(kept->data(), kept->size(), 1, owner);
 }
 
-py::object values_of(std::variant<std::vector<double>, std::vector<std::int64_t>, WordColumn>&& of) {
+py::object values_of(
+    std::variant<std::vector<double>, std::vector<std::int64_t>, WordColumn>&& of) {
   if (auto* listed = std::get_if<WordColumn>(&of)) {
     py::list names;
     for (const std::string& word : listed->words) names.append(words(word));
@@ -101,11 +101,8 @@ py::list event_table(const FoundResult& result) {
   auto rows = std::make_unique<Rows>(std::vector<std::string>(names.begin() + 1, names.end()));
   {
     const py::gil_scoped_release release;
-    std::vector<double> row;
     for (const Event& event : result.events()) {
-      row.clear();
-      add_event_row(event, row);
-      rows->add(row);
+      write_event_row(event, rows->add());
       kinds.codes.push_back(static_cast<std::int32_t>(event.kind));
     }
   }
@@ -188,7 +185,8 @@ std::optional<py::dict> chart(const FoundResult& result) {
 // Title and unit of what --show named, where that was measured.
 std::optional<std::pair<std::string, std::string>> shown(const FoundResult& result) {
   const auto titled = [](const std::optional<Shown>& of, const std::vector<MeasuredPlace>& places) {
-    return of ? std::optional(std::pair(plain_text(shown_title(*of, places)), shown_unit(*of, places)))
+    return of ? std::optional(
+                    std::pair(plain_text(shown_title(*of, places)), shown_unit(*of, places)))
               : std::nullopt;
   };
   const AnyRecord& record = record_of(result);
@@ -196,8 +194,7 @@ std::optional<std::pair<std::string, std::string>> shown(const FoundResult& resu
     return titled(branches->shown, branches->amplitudes.places);
   if (const auto* diagram = std::get_if<DiagramRecord>(&record))
     return titled(diagram->branches.shown, diagram->branches.amplitudes.places);
-  if (const auto* map = std::get_if<MapRecord>(&record))
-    return titled(map->measured, map->places);
+  if (const auto* map = std::get_if<MapRecord>(&record)) return titled(map->measured, map->places);
   return {};
 }
 
@@ -219,21 +216,23 @@ const Outcome& outcome(const FoundResult& result) {
 void bind_results(py::module_& module) {
   using Self = const FoundResult&;
   py::class_<FoundResult, std::shared_ptr<FoundResult>>(module, "FoundResult")
-      .def_property_readonly("kind", [](Self self) {
-        return self.record() ? std::optional<std::string>(kKinds[self.record()->index()])
-                             : std::nullopt;
-      })
+      .def_property_readonly(
+          "kind",
+          [](Self self) {
+            return self.record() ? std::optional<std::string>(kKinds[self.record()->index()])
+                                 : std::nullopt;
+          })
       .def_property_readonly("outcome", [](Self self) { return outcome(self).name; })
       .def_property_readonly("message", [](Self self) { return words(outcome(self).message); })
-      .def_property_readonly("warnings",
-                             [](Self self) {
-                               py::list list;
-                               for (const std::string& warning : std::visit(
-                                        [](const auto& record) { return warnings_in(record); },
-                                        record_of(self)))
-                                 list.append(words(warning));
-                               return list;
-                             })
+      .def_property_readonly(
+          "warnings",
+          [](Self self) {
+            py::list list;
+            for (const std::string& warning : std::visit(
+                     [](const auto& record) { return warnings_in(record); }, record_of(self)))
+              list.append(words(warning));
+            return list;
+          })
       .def("json",
            [](Self self) {
              std::string text;

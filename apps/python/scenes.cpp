@@ -46,7 +46,8 @@ void bind_scenes(py::module_& module) {
       .def_readonly("name", &NamedScene::name)
       .def_readonly("settings", &NamedScene::settings)
       .def_property_readonly("title", [](const NamedScene& self) { return self.scene->title; })
-      .def_property_readonly("text", [](const NamedScene& self) { return write_scene(*self.scene); })
+      .def_property_readonly("text",
+                             [](const NamedScene& self) { return write_scene(*self.scene); })
       .def("value", [](const NamedScene& self,
                        const std::string& name) { return parameter_value(*self.scene, name); })
       .def("unit", [](const NamedScene& self,

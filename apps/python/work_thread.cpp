@@ -13,9 +13,7 @@ constexpr std::chrono::milliseconds kPause{50};
 thread_local std::unique_ptr<WorkThread> idle;
 
 // A process that was forked has the memory of its threads, but not them.
-void forget_in_forked() {
-  static_cast<void>(idle.release());
-}
+void forget_in_forked() { static_cast<void>(idle.release()); }
 
 }  // namespace
 

@@ -33,7 +33,7 @@ class Taker final : public Caller {
 template <class Work>
 double microseconds(int calls, const Work& work) {
   double best = 1e300;  // of blocks: whatever else the machine does adds to it
-  for (int block = 0; block < 20; ++block) {
+  for (int block = 0; block < 300; ++block) {
     const Clock::time_point begin = Clock::now();
     for (int i = 0; i < calls; ++i) work();
     const double spent = std::chrono::duration<double>(Clock::now() - begin).count();
@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
   if (argc != 3) return 2;
   const auto scene = std::make_shared<const Scene>(read_scene(argv[1]));
   const long long periods = std::atoll(argv[2]);
-  const double library = microseconds(100, [&] {
+  const double library = microseconds(10, [&] {
     const System system = assemble(*scene);
     SimulationOptions options;
     options.periods = periods;
@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
     listeners.event = [&](const Event& event) { events.push_back(event); };
     simulate(system, initial_state(*scene, system), options, listeners);
   });
-  const double command = microseconds(100, [&] {
+  const double command = microseconds(10, [&] {
     Taker taker;
     SimulateCommand wanted;
     wanted.name = "simulate";
