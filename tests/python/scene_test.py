@@ -1,3 +1,4 @@
+import pathlib
 import tomllib
 
 import graze
@@ -16,6 +17,13 @@ def test_a_file_its_text_and_its_dict_are_one_scene():
     assert graze.Scene.parse(text).to_toml() == loaded.to_toml()
     assert graze.Scene.from_dict(tables).to_toml() == loaded.to_toml()
     assert graze.simulate(tables, periods=3).events.rows == graze.simulate(FILE, periods=3).events.rows
+
+
+@pytest.mark.parametrize("file", sorted((pathlib.Path(__file__).resolve().parents[2] / "data/scenes").glob("*.toml")), ids=lambda file: file.stem)
+def test_every_scene_may_be_a_dict(file):
+    with open(file, "rb") as stream:
+        tables = tomllib.load(stream)
+    assert graze.Scene.from_dict(tables, name=str(file)).to_toml() == graze.Scene.load(file).to_toml()
 
 
 def test_parameters_are_read_and_changed_by_their_names():
