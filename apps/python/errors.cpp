@@ -25,10 +25,8 @@ void raise_input_error(const std::string& sentence) {
   static const std::regex place(R"(^([^\n]+?):(\d{1,9}):(\d{1,9}): )");
   std::smatch match;
   if (!std::regex_search(sentence, match, place)) {
-    // What --set says is wrong with the scene; nothing else that is has a name of an option.
-    const bool of_option = sentence.rfind("--", 0) == 0 || sentence.rfind("'--", 0) == 0;
-    const bool of_scene = !of_option || sentence.rfind("--set ", 0) == 0;
-    const char* kind = of_scene ? "SceneError" : "OptionError";
+    // What is wrong with a scene has a place in it, but for what --set says.
+    const char* kind = sentence.rfind("--set ", 0) == 0 ? "SceneError" : "OptionError";
     raise(kind, made(kind, sentence));
     return;
   }

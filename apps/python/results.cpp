@@ -12,6 +12,7 @@
 #include "graze/report/detail/names.hpp"
 #include "graze/report/json/detail/json_page.hpp"
 #include "graze/report/json/json.hpp"
+#include "graze/report/page/detail/page.hpp"
 #include "graze/report/text/text.hpp"
 #include "in_process.hpp"
 #include "tables.hpp"
@@ -163,17 +164,35 @@ std::string printed(const FoundResult& result, bool verbose) {
       record_of(result));
 }
 
+// Throws where the record is not drawn into such a file, or keeps too little of what is drawn.
+template <class Record>
+void check_drawable(const CommonOptions& command, const Record& record) {
+  check_plot<Record>(command);
+  if (const std::string nothing = nothing_to_draw(record); !nothing.empty())
+    throw py::value_error(nothing);
+}
+void check_drawable(const CommonOptions& command, const MapRecord& record) {
+  check_plot<MapRecord>(command);
+  if (is_page_name(command.plot.file)) check_map_page(command.plot.file, record.map.options);
+}
+void check_drawable(const CommonOptions& command, const SimulationRecord& record) {
+  check_plot_of_run(command, record.section.has_value(), record.shown);
+  if (record.samples.empty() && !record.section)
+    throw py::value_error(
+        "the run kept none of the motion that a picture shows; give it a folder, out=, or plot()");
+}
+
 void save(const FoundResult& result, const std::string& file) {
+  const AnyRecord& any = record_of(result);
+  const py::gil_scoped_release release;
   CommonOptions command;
   command.plot.file = file;
   std::visit(
       [&](const auto& record) {
-        check_plot<std::decay_t<decltype(record)>>(command);
-        const std::string nothing = nothing_to_draw(record);
-        if (!nothing.empty()) throw py::value_error(nothing);
+        check_drawable(command, record);
         draw(command, record, result.scene());
       },
-      record_of(result));
+      any);
 }
 
 std::optional<py::dict> chart(const FoundResult& result) {

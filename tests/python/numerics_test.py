@@ -114,8 +114,9 @@ def test_progress_is_told(oscillator, capfd):
     def raises(part):
         raise RuntimeError("enough")
 
-    with pytest.raises(RuntimeError, match="enough"):
+    with pytest.raises(RuntimeError, match="enough") as caught:
         graze.simulate(oscillator, periods=10**9, record="none", max_seconds=20, progress=raises)
+    assert caught.value.result.outcome == "interrupted"
 
 
 def test_a_forked_process_and_a_call_within_a_call_go_on(oscillator):

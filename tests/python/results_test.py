@@ -74,6 +74,24 @@ def test_tables_reach_pandas(results, kind):
         result.table("nothing")
 
 
+def test_what_show_names_is_drawn():
+    over = dict(parameter="forcing.frequency", from_=2.6, to=2.9)
+    plane = dict(second="stop.gap", second_from=0.0, second_to=0.2, points=4, second_points=3)
+    scene = "data/scenes/04_impact_oscillator.toml"
+    for result, words in [
+        (graze.continue_(scene, **over, show="amplitude"), "amplitude"),
+        (graze.diagram(scene, **over, points=5, show="peak-velocity"), "velocity"),
+    ]:
+        (axes,) = result.plot().axes
+        assert words in axes.get_ylabel() and len(axes.lines) > 0
+    for show in ("speed", "stuck", "impacts", "rms"):
+        figure = graze.map(scene, **over, **plane, periods=100, show=show).plot()
+        assert len(figure.axes) == 2 and figure.axes[1].get_ylabel()
+    figure = graze.compare(scene, against="stop.restitution=0.5", **over, **plane, show="velocity").plot()
+    assert len(figure.axes) == 2
+    pyplot.close("all")
+
+
 def test_columns_of_samples_share_one_memory(results):
     samples = results["simulate"].samples
     first, second = samples["time"], samples["q1"]
@@ -96,5 +114,7 @@ def test_arrays_outlive_their_result():
 def test_pages_and_pictures_are_the_programs(results, tmp_path):
     results["orbit"].save_picture(tmp_path / "orbit.html")
     assert (tmp_path / "orbit.html").stat().st_size > 10_000
-    with pytest.raises((graze.Error, ValueError)):
+    with pytest.raises(ValueError, match="out="):
+        results["simulate"].save_picture(tmp_path / "motion.svg")
+    with pytest.raises(graze.OptionError, match="ends in .svg"):
         results["orbit"].save_picture(tmp_path / "orbit.bmp")

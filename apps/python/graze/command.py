@@ -79,9 +79,10 @@ def _run(name: str, scene: Any, data: Any, options: Dict[str, Any]) -> Any:
         words += option_words(key, value)
     try:
         found = _core.run(words, given._named, progress)
-    except KeyboardInterrupt as interrupt:
-        if hasattr(interrupt, "result"):
-            interrupt.result = _wrapped(interrupt.result, given)
+    except BaseException as error:  # Ctrl-C, or what `progress` raised
+        reached = getattr(error, "result", None)
+        if isinstance(reached, _core.FoundResult):
+            setattr(error, "result", _wrapped(reached, given))
         raise
     result = _wrapped(found, given)
     if result is None:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Union
 
 from . import _core
-from .errors import SceneError
+from .errors import OptionError, SceneError
 
 Settings = Union[None, str, Sequence[str], Mapping[str, Any]]
 
@@ -23,13 +23,13 @@ class Scene:
     def load(cls, path: Union[str, "os.PathLike[str]"], set: Settings = None) -> "Scene":
         """Reads a scene file (TOML). `set` replaces or adds keys: {"stop.gap": 2e-3}, or as the
         program's --set takes them, "stop.gap=2e-3". Raises SceneError and FileError."""
-        return cls(_core.load_scene(os.fspath(path), settings_of(set)))
+        return cls(_of_scene(_core.load_scene, os.fspath(path), settings_of(set)))
 
     @classmethod
     def parse(cls, text: str, name: str = "scene", set: Settings = None) -> "Scene":
         """The same for TOML text. `name` stands for the file in messages; files that the scene
         names are looked for beside it."""
-        return cls(_core.parse_scene(text, name, settings_of(set)))
+        return cls(_of_scene(_core.parse_scene, text, name, settings_of(set)))
 
     @classmethod
     def from_dict(cls, tables: Mapping[str, Any], name: str = "scene", set: Settings = None) -> "Scene":
@@ -38,7 +38,7 @@ class Scene:
 
     def changed(self, set: Settings) -> "Scene":
         """The scene with keys replaced or added by their names: scene.changed({"stop.gap": 2e-3})."""
-        return Scene(self._named.changed(settings_of(set)))
+        return Scene(_of_scene(self._named.changed, settings_of(set)))
 
     def __getitem__(self, name: str) -> float:
         """The value of a parameter by its name, in its own unit: scene["forcing.frequency"]."""
@@ -105,6 +105,14 @@ def scene_from(scene: SceneLike, set: Settings = None) -> Scene:
     if isinstance(scene, Mapping):
         return Scene.from_dict(scene, set=set)
     raise TypeError(f"a scene is a graze.Scene, a file or a dict, not {type(scene).__name__}")
+
+
+def _of_scene(read: Callable[..., "_core.NamedScene"], *given: Any) -> "_core.NamedScene":
+    """What is read; whatever is wrong then is wrong with the scene."""
+    try:
+        return read(*given)
+    except OptionError as error:
+        raise SceneError(str(error)) from None
 
 
 def settings_of(set: Settings) -> List[str]:
