@@ -12,15 +12,12 @@ BUILD = pathlib.Path(os.environ.get("GRAZE_BUILD", ROOT / "build"))
 sys.path.insert(0, str(BUILD / "python"))
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 
+# Scenes are named as users of the repository name them, wherever the tests are called.
+os.chdir(ROOT)
+
 import matplotlib  # noqa: E402
 
 matplotlib.use("Agg")
-
-
-@pytest.fixture(autouse=True)
-def _in_the_root(monkeypatch):
-    """Scenes are named as users of the repository name them."""
-    monkeypatch.chdir(ROOT)
 
 
 @pytest.fixture(autouse=True)

@@ -15,9 +15,7 @@ CHOSEN = {
     "compare_modes", "sensitivity",
 }
 
-SCENES = sorted(name for name in os.listdir("data/scenes") if name.endswith(".toml")) if os.path.isdir(
-    "data/scenes"
-) else []
+SCENES = sorted(name for name in os.listdir("data/scenes") if name.endswith(".toml"))
 
 
 def printed(program, words):
