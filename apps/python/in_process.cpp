@@ -65,8 +65,8 @@ std::shared_ptr<FoundResult> run_in_process(Command command, const py::object& p
   }
   if (raised) {
     // Some exceptions take no attributes; they are raised all the same.
-    if (found->record() && PyObject_SetAttrString(raised->value().ptr(), "result",
-                                                  py::cast(found).ptr()) != 0)
+    if (found->record() &&
+        PyObject_SetAttrString(raised->value().ptr(), "result", py::cast(found).ptr()) != 0)
       PyErr_Clear();
     throw std::move(*raised);
   }
