@@ -120,10 +120,17 @@ def test_progress_is_told(oscillator, capfd):
 
 
 def test_a_forked_process_and_a_call_within_a_call_go_on(oscillator):
-    expected = graze.simulate(oscillator, periods=50).to_json()
+    def found_in_cells():
+        return graze.map(
+            oscillator, parameter="forcing.frequency", from_=2.7, to=2.72, second="stop.gap",
+            second_from=0.0, second_to=0.02, points=4, second_points=4, periods=20,
+        ).to_json()
+
+    expected, cells = graze.simulate(oscillator, periods=50).to_json(), found_in_cells()
     child = os.fork()
     if child == 0:
         same = graze.simulate(oscillator, periods=50).to_json() == expected
+        same = same and found_in_cells() == cells
         os._exit(0 if same else 1)
     assert os.waitpid(child, 0)[1] == 0
     found = []
