@@ -2,6 +2,8 @@
 // command, made of what it has in common with others and of its own.
 #pragma once
 
+#include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -19,6 +21,8 @@
 
 namespace graze {
 
+class Caller;
+
 struct CommonOptions {
   std::string name;                    // of the command
   std::vector<std::string> arguments;  // all of them, as they were given
@@ -29,12 +33,15 @@ struct CommonOptions {
   PictureRequest plot;
   int threads = 0;  // 0: all cores
   double max_seconds = 3600.0;
+  std::chrono::steady_clock::time_point called = std::chrono::steady_clock::now();
+  Caller* caller = nullptr;  // null: a shell, which reads what is printed
 };
 
 struct SceneOptions : CommonOptions {
   std::string scene;  // file
   std::vector<std::string> settings;
   std::optional<std::string> scene_text;  // in place of what the file holds now
+  std::shared_ptr<const Scene> given;     // the same with its settings, where it was read already
 };
 
 struct MotionOptions : SceneOptions {
@@ -199,5 +206,29 @@ struct ParsedCommand {
 
 // Parses the command line. Help and version go to stdout, errors to stderr.
 ParsedCommand parse_command_line(int argc, char** argv);
+
+// Reads commands, one after the other.
+class CommandReader {
+ public:
+  CommandReader();
+  ~CommandReader();
+  CommandReader(const CommandReader&) = delete;
+  CommandReader& operator=(const CommandReader&) = delete;
+
+  // Of the words after the program's name. Throws InputError with the sentence of the program.
+  Command read(const std::vector<std::string>& words);
+  // The names of a command's options without their dashes, "max-seconds", each with what it says of
+  // itself and the default that it prints, if any. Empty for an unknown command.
+  struct Option {
+    std::string name, what, default_value;
+    bool is_flag = false, takes_several = false;
+  };
+  std::vector<Option> options(const std::string& command) const;
+
+ private:
+  friend ParsedCommand parse_command_line(int argc, char** argv);
+  struct Parser;
+  std::unique_ptr<Parser> parser_;
+};
 
 }  // namespace graze

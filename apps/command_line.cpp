@@ -1,19 +1,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <iostream>
 
 #include "command.hpp"
 #include "compare_options.hpp"
-#include "graze/base/detail/terminal_text.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/record/file/run_info.hpp"
 #include "graze/report/names/detail/map_names.hpp"
-#include "help_format.hpp"
 #include "option_groups.hpp"
 #include "option_values.hpp"
 #include "picture_options.hpp"
-#include "usage_errors.hpp"
 
 namespace graze {
 namespace {
@@ -328,52 +323,19 @@ void add_fit(CLI::App& graze, std::optional<Command>& parsed) {
 
 }  // namespace
 
-ParsedCommand parse_command_line(int argc, char** argv) {
-  std::optional<Command> parsed;
-  CLI::App app{"Graze: impacting flexible structures - motion, periodic orbits, branches", "graze"};
-  app.set_version_flag("--version", "graze " + version());
-  app.formatter(std::make_shared<HelpFormat>());
-  app.set_help_flag("-h,--help", "Print this help");
-  app.require_subcommand(1);
-  app.footer(
-      footer("orbit data/scenes/05_wagg_one_mode.toml --set forcing.frequency=40\n"
-             "graze COMMAND --help lists the options of a command."));
-  add_check(app, parsed);
-  add_modes(app, parsed);
-  add_simulate(app, parsed);
-  add_orbit(app, parsed);
-  add_continue(app, parsed);
-  add_diagram(app, parsed);
-  add_map(app, parsed);
-  add_merge(app, parsed);
-  add_view(app, parsed);
-  add_cost(app, parsed);
-  add_fit(app, parsed);
-  add_compare(app, parsed);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& done) {  // help, version
-    return {std::nullopt, app.exit(done) == 0 ? 0 : 2};
-  } catch (const CLI::ParseError& error) {
-    std::string unknown = unknown_command(argc, argv, app);
-    if (unknown.empty()) unknown = unknown_option(app);
-    const auto& commands = app.get_subcommands();
-    std::cerr << "graze: " << terminal_line(unknown.empty() ? error.what() : unknown)
-              << " (see graze " << (commands.empty() ? "" : commands.front()->get_name() + " ")
-              << "--help)\n";
-    return {std::nullopt, 2};
-  } catch (const InputError& error) {
-    std::cerr << "graze: " << terminal_line(error.what()) << "\n";
-    return {std::nullopt, 2};
-  }
-  const CLI::App& given = *app.get_subcommands().front();
-  if (const std::string empty = empty_option(given); !empty.empty()) {
-    std::cerr << "graze: " << empty << " (see graze " << given.get_name() << " --help)\n";
-    return {std::nullopt, 2};
-  }
-  std::visit([&](CommonOptions& command) { command.arguments.assign(argv + 1, argv + argc); },
-             *parsed);
-  return {parsed, 0};
+void add_commands(CLI::App& graze, std::optional<Command>& parsed) {
+  add_check(graze, parsed);
+  add_modes(graze, parsed);
+  add_simulate(graze, parsed);
+  add_orbit(graze, parsed);
+  add_continue(graze, parsed);
+  add_diagram(graze, parsed);
+  add_map(graze, parsed);
+  add_merge(graze, parsed);
+  add_view(graze, parsed);
+  add_cost(graze, parsed);
+  add_fit(graze, parsed);
+  add_compare(graze, parsed);
 }
 
 }  // namespace graze

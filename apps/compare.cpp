@@ -7,7 +7,6 @@
 #include "graze/assembly/initial_state.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/base/parallel.hpp"
-#include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/names/detail/comparison_names.hpp"
 #include "graze/report/text/text.hpp"
@@ -121,7 +120,7 @@ SimulationRecord shown_run(const CompareCommand& command, const Scene& scene,
 
 // Now, or later from the folder.
 bool draws_motions(const CompareCommand& command, const ComparisonRecord& record) {
-  const bool draws = !command.plot.empty() || !command.out.empty();
+  const bool draws = !command.plot.empty() || !command.out.empty() || command.caller;
   return draws && record.modes.empty() && !record.differences.empty();
 }
 
@@ -167,10 +166,7 @@ int compare_motions(const CompareCommand& command) {
       record.outcome = {shown.name == "interrupted" ? shown.name : "budget",
                         record.names[i] + ", for the picture: " + shown.message};
   }
-  return conclude(command, record, scenes.front(), [&] {
-    return NamedFiles{{"comparison.csv", comparison_csv(record)},
-                      {"first_impacts.csv", first_impacts_csv(record)}};
-  });
+  return conclude(command, record, scenes.front());
 }
 
 int compare_over_plane(const CompareCommand& command) {
@@ -203,9 +199,7 @@ int compare_over_plane(const CompareCommand& command) {
   record.info.options.emplace_back("show", name_of(command.show));
   record.info.options.emplace_back("max_seconds", command.max_seconds);
   record.outcome = comparison_map_outcome(record.map);
-  return conclude(command, record, one, [&] {
-    return NamedFiles{{"comparison.csv", comparison_csv(record)}};
-  });
+  return conclude(command, record, one);
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/bifurcation/loci/detail/restart.hpp"
-#include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/parameter.hpp"
@@ -159,9 +158,7 @@ int run(const ContinueCommand& command) {
     record.amplitudes = measure_branches(family, record.traced, command.threads, options.stop);
   record.outcome = branch_outcome(record.traced, options);
   return conclude(command, record, scene, [&] {
-    return NamedFiles{{"branches.csv", branches_csv(record)},
-                      {"special.csv", special_csv(record)},
-                      special_file(record.info, {command.parameter},
+    return NamedFiles{special_file(record.info, {command.parameter},
                                    special_orbits(record.traced, record.system))};
   });
 }

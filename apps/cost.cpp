@@ -6,7 +6,6 @@
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/record/detail/cost_record.hpp"
-#include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
@@ -77,13 +76,7 @@ int run(const CostCommand& command) {
     tell(1.0);
   }
   record.outcome = cost_outcome(record.costs, options.stop.reason());
-  return conclude(command, record, scene, [&] {
-    return NamedFiles{{"costs.csv", costs_csv(record)},
-                      {"costs_of_modes.csv", mode_costs_csv(record)},
-                      {"costs_of_closure.csv", closure_costs_csv(record)},
-                      {"costs_of_corrector.csv", corrector_costs_csv(record)},
-                      {"costs_of_contact.csv", contact_orders_csv(record)}};
-  });
+  return conclude(command, record, scene);
 }
 
 }  // namespace graze

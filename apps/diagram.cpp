@@ -4,7 +4,6 @@
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/bifurcation/loci/detail/restart.hpp"
-#include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/names/detail/sweep_names.hpp"
 #include "graze/report/page/detail/page.hpp"
@@ -128,17 +127,10 @@ int run(const DiagramCommand& command) {
   note_rest(command, record.branches.info);
   const std::optional<Outcome> traced = add_branches(command, family, tracing, record);
   record.branches.outcome = diagram_outcome(record.swept, traced);
-  const auto files = [&] {
-    NamedFiles list = {
-        {"sweep.csv", sweep_csv(record)},
-        {"branches.csv", branches_csv(record.branches)},
-        {"special.csv", special_csv(record.branches)},
-        special_file(record.branches.info, {command.parameter},
-                     special_orbits(record.branches.traced, record.branches.system))};
-    if (command.settling.exponents > 0) list.emplace_back("exponents.csv", exponents_csv(record));
-    return list;
-  };
-  return conclude(command, record, scene, files);
+  return conclude(command, record, scene, [&] {
+    return NamedFiles{special_file(record.branches.info, {command.parameter},
+                                   special_orbits(record.branches.traced, record.branches.system))};
+  });
 }
 
 }  // namespace graze

@@ -3,7 +3,6 @@
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/record/detail/run_diagram_record.hpp"
-#include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/detail/start_coordinate.hpp"
@@ -61,9 +60,7 @@ int run_diagram_of_runs(const DiagramCommand& command, const Scene& scene) {
   if (!work.is_whole_here()) return work.conclude_part(options.stop.reason());
   noted.emplace_back("max_seconds", command.max_seconds);
   record.outcome = run_diagram_outcome(record.runs, options.values.size(), options.stop.reason());
-  return conclude(command, record, scene, [&] {
-    return NamedFiles{{"sweep.csv", run_impacts_csv(record)}, {"runs.csv", runs_csv(record)}};
-  });
+  return conclude(command, record, scene);
 }
 
 }  // namespace graze

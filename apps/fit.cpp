@@ -8,7 +8,6 @@
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/record/detail/fit_record.hpp"
-#include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "session.hpp"
@@ -84,7 +83,7 @@ int run(const FitCommand& command) {
   warn(command, record.warnings);
   record.outcome = fit_outcome(record.result);
   const auto files = [&] {
-    NamedFiles list = {{"fit.csv", fit_csv(record)}, {"parameters.csv", parameters_csv(record)}};
+    NamedFiles list;
     const std::string fitted = fitted_scene_text(record.result);
     if (!fitted.empty()) list.emplace_back("fitted.toml", fitted);
     return list;

@@ -10,7 +10,6 @@
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/bifurcation/loci/detail/restart.hpp"
 #include "graze/record/detail/loci_record.hpp"
-#include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/parameter.hpp"
@@ -128,15 +127,10 @@ int run_loci(const ContinueCommand& command) {
       record.boundaries = region_boundaries(*record.regions, record.traced);
     record.outcome = regions_outcome(*record.regions, record.outcome);
   }
-  const auto files = [&] {
-    NamedFiles list = {{"loci.csv", loci_csv(record.traced)},
-                       {"special.csv", special_csv(record)},
-                       special_file(record.info, {command.parameter, command.second},
-                                    special_orbits(record.traced))};
-    if (record.regions) list.emplace_back("regions.csv", regions_csv(*record.regions));
-    return list;
-  };
-  return conclude(command, record, scene, files);
+  return conclude(command, record, scene, [&] {
+    return NamedFiles{special_file(record.info, {command.parameter, command.second},
+                                   special_orbits(record.traced))};
+  });
 }
 
 }  // namespace graze

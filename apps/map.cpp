@@ -10,7 +10,6 @@
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/record/detail/loci_record.hpp"
-#include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/names/detail/map_names.hpp"
 #include "graze/report/page/detail/page.hpp"
@@ -112,12 +111,7 @@ int run(const MapCommand& command) {
   record.info.options.emplace_back("max_seconds", command.max_seconds);
   record.outcome = map_outcome(record.map);
   if (loci) trace_over(command, scene, *loci, record);
-  const auto files = [&] {
-    NamedFiles list = {{"map.csv", map_csv(record)}};
-    if (record.loci) list.emplace_back("loci.csv", loci_csv(*record.loci));
-    return list;
-  };
-  return conclude(command, record, scene, files);
+  return conclude(command, record, scene);
 }
 
 }  // namespace graze

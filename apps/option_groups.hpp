@@ -23,9 +23,17 @@ std::pair<CLI::App*, Kind&> add_command(CLI::App& graze, std::optional<Command>&
   const auto options = std::make_shared<Kind>();
   options->name = name;
   app->get_help_ptr()->group(kOutputGroup);
+  // One reader may read any number of commands.
+  app->preparse_callback([options, name](std::size_t) {
+    *options = Kind();
+    options->name = name;
+  });
   app->callback([options, &parsed] { parsed = *options; });
   return {app, *options};
 }
+
+// All of them.
+void add_commands(CLI::App& graze, std::optional<Command>& parsed);
 
 // The options added next stand below this heading of --help.
 void begin_group(CLI::App* app, const char* heading);

@@ -5,7 +5,6 @@
 #include "graze/bifurcation/bounds/detail/orbits_over_gap.hpp"
 #include "graze/orbit/orbit_amplitudes.hpp"
 #include "graze/orbit/search/detail/spread_starts.hpp"
-#include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
@@ -45,12 +44,7 @@ int run(const OrbitCommand& command) {
   for (const Orbit& orbit : record.found.orbits)
     record.amplitudes.push_back(orbit_amplitudes(record.system, orbit, rows));
   record.outcome = orbit_outcome(record.found, options, options.stop.reason());
-  return conclude(command, record, scene, [&] {
-    return NamedFiles{{"orbits.csv", orbits_csv(record)},
-                      {"profiles.csv", profiles_csv(record)},
-                      {"stuck.csv", stuck_csv(record)},
-                      {"contacts.csv", contacts_csv(record)}};
-  });
+  return conclude(command, record, scene);
 }
 
 }  // namespace graze

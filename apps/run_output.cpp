@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "caller.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/record/records.hpp"
 #include "graze/record/section.hpp"
@@ -34,6 +35,7 @@ RunOutput::RunOutput(const SimulateCommand& command, const System& system,
                      const Rate& rate)
     : system_(system),
       probes_(probes),
+      caller_(command.caller),
       records_events_(command.record != "none"),
       records_samples_(command.record == "samples"),
       writes_document_(command.json || !command.out.empty()),
@@ -45,6 +47,7 @@ RunOutput::RunOutput(const SimulateCommand& command, const System& system,
       most_samples_(command.show == RunPicture::kSpectrum ? kSpectrumSamples : kPictureSamples) {
   const auto numbers = static_cast<std::size_t>(2 * system.modes());
   if (command.plot.empty()) most_samples_ = std::min(kPictureSamples, kStoredNumbers / numbers + 1);
+  if (caller_) caller_->begin_run(system, probes, command.keeps_balance());
   if (command.out.empty()) return;
   const std::filesystem::path folder = command.out;
   if (records_events_) {
@@ -61,6 +64,7 @@ void RunOutput::add(const Event& event) {
   if (section_) section_->add(event);
   if (records_events_) {
     excerpt_.add(event);
+    if (caller_) caller_->hear(event);
     if (writes_document_) add_event_json(event, events_);
     if (event_table_) event_table_->append(events_csv_row(event));
   }
@@ -73,6 +77,7 @@ void RunOutput::add(const Event& event) {
 void RunOutput::add(const Sample& sample) {
   if (section_) section_->add(system_, sample);
   const bool tabled = std::llround(sample.time * rate_.rate) % rate_.stride == 0;
+  if (caller_ && records_samples_ && tabled) caller_->hear(sample);
   if (sample_table_ && tabled) sample_table_->append(samples_csv_row(system_, sample, probes_));
   if (draws_) {
     last_samples_.push_back(sample);

@@ -57,6 +57,7 @@ class RunOutput {
 
   const System& system_;
   const std::vector<ProbeRow>& probes_;
+  Caller* caller_;  // null: none
   // Draws: now, or later from the folder.
   bool records_events_, records_samples_, writes_document_, samples_all_, draws_;
   double shown_from_ = 0.0;  // s

@@ -7,7 +7,6 @@
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/record/detail/sensitivity_record.hpp"
-#include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/parameter.hpp"
@@ -72,9 +71,7 @@ int run_sensitivity(const CompareCommand& command) {
   record.outcome =
       sensitivity_outcome(record.curves, std::max<std::size_t>(options.seconds.size(), 1),
                           options.series.stop.reason());
-  return conclude(command, record, scene, [&] {
-    return NamedFiles{{"sensitivity.csv", sensitivity_csv(record)}};
-  });
+  return conclude(command, record, scene);
 }
 
 }  // namespace graze

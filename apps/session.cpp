@@ -66,6 +66,9 @@ class ProgressLine {
 }  // namespace
 
 Scene scene_of(const SceneOptions& command, const std::vector<std::string>& further) {
+  if (command.given)
+    return further.empty() ? *command.given
+                           : parse_scene(write_scene(*command.given), command.scene, further);
   if (command.scene_text) return parse_scene(*command.scene_text, command.scene, further);
   std::vector<std::string> settings = command.settings;
   settings.insert(settings.end(), further.begin(), further.end());
@@ -81,14 +84,13 @@ std::atomic<bool> interrupted{false}, has_begun{false};
 
 StopSignal stop_signal(const CommonOptions& command) {
   using Clock = std::chrono::steady_clock;
-  static const Clock::time_point called = Clock::now();
   StopSignal signal;
-  signal.interrupted = &interrupted;
+  signal.interrupted = command.caller ? &command.caller->interrupted() : &interrupted;
   // Longer than the clock reaches is no limit.
   constexpr double kLongest = 1e9;
   if (command.max_seconds < kLongest)
-    signal.deadline = called + std::chrono::duration_cast<Clock::duration>(
-                                   std::chrono::duration<double>(command.max_seconds));
+    signal.deadline = command.called + std::chrono::duration_cast<Clock::duration>(
+                                           std::chrono::duration<double>(command.max_seconds));
   return signal;
 }
 
@@ -101,13 +103,15 @@ void prepare_output(const CommonOptions& command) {
 }
 
 void warn(const CommonOptions& command, const std::vector<std::string>& warnings) {
-  if (command.quiet) return;
+  if (command.quiet || command.caller) return;
   for (const std::string& warning : warnings)
     std::fputs(fmt::format("warning: {}\n", terminal_line(warning)).c_str(), stderr);
 }
 
 std::function<void(double)> progress_line(const CommonOptions& command, int count,
                                           const char* things) {
+  if (command.caller)
+    return [caller = command.caller](double fraction) { caller->hear_progress(fraction); };
   if (command.quiet || ::isatty(STDERR_FILENO) == 0) return {};
   return [line = std::make_shared<ProgressLine>(command.name, count, things)](double fraction) {
     line->show(fraction);
@@ -144,6 +148,7 @@ int conclude(const CommonOptions& command, const RunInfo& info, const Outcome& o
         files.back().append(piece);
       });
     };
+    for (const Table& table : result.record_tables) add(table.name, table.csv());
     if (result.files)
       for (const auto& [name, content] : result.files()) add(name, content);
     add(kSceneFile, info.scene_text);
@@ -153,9 +158,11 @@ int conclude(const CommonOptions& command, const RunInfo& info, const Outcome& o
     for (PendingFile& file : files) file.sync();
     for (PendingFile& file : files) file.commit();
   }
-  const Document printed =
-      command.json ? document : Document(printed_text(command, result.text(command.text)));
-  print([&](const TextSink& sink) { printed.read(sink); });
+  if (!command.caller) {
+    const Document printed =
+        command.json ? document : Document(printed_text(command, result.text(command.text)));
+    print([&](const TextSink& sink) { printed.read(sink); });
+  }
   if (!command.plot.empty() && result.draw) result.draw();
   if (outcome.name == "interrupted") return 130;
   return outcome.message.empty() ? 0 : 3;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "caller.hpp"
 #include "command.hpp"
 #include "drawing.hpp"
 #include "graze/record/file/detail/files.hpp"
@@ -16,6 +17,7 @@
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/scene.hpp"
+#include "tables.hpp"
 
 namespace graze {
 
@@ -30,7 +32,7 @@ extern std::atomic<bool> has_begun;
 // How the program was called, for whoever wants the result again.
 void note_call(const SceneOptions& command, RunInfo& info);
 
-// Ctrl-C, and --max-seconds from the first call on.
+// Ctrl-C, and --max-seconds from when the command was given.
 StopSignal stop_signal(const CommonOptions& command);
 
 // Once the command is known to be sound and before its work begins: makes the output folder and
@@ -54,7 +56,8 @@ struct Result {
   std::function<std::string(const TextOptions&)> text;
   std::function<NamedFiles()> files{};  // beside the document; empty: none
   std::function<void()> draw{};
-  std::vector<PendingFile> tables{};  // files that have grown on the way
+  std::vector<PendingFile> tables{};   // files that have grown on the way
+  std::vector<Table> record_tables{};  // those that the record makes
   // The record as a file, for graze view, from the checksum of the document; empty: none.
   std::function<std::string(const std::string& document_checksum)> record{};
 };
@@ -77,15 +80,16 @@ std::function<std::string(const TextOptions&)> text_of(const Record& record) {
 int conclude(const CommonOptions& command, const RunInfo& info, const Outcome& outcome,
              Result result);
 
-// The same for a record of a motion in `scene`, with further files of it. `result`: what is told
-// of it otherwise than of other records.
+// The same for a record of a motion in `scene`, with its tables and further files. `result`: what
+// is told of it otherwise than of other records. A caller takes the record.
 template <class Record>
-int conclude(const CommonOptions& command, const Record& record, const Scene& scene,
+int conclude(const CommonOptions& command, Record& record, const Scene& scene,
              std::function<NamedFiles()> files = {}, Result result = {}) {
   if constexpr (requires { to_json(record); })
     if (!result.json) result.json = json_of(record);
   result.text = text_of(record);
   result.files = std::move(files);
+  result.record_tables = tables_of(record);
   if constexpr (requires { draw(command, record, scene); })
     result.draw = [&] {
       if (nothing_to_draw(record).empty()) draw(command, record, scene);
@@ -94,7 +98,9 @@ int conclude(const CommonOptions& command, const Record& record, const Scene& sc
     return record_file_text(info_of(record), record_kind<Record>(), record_text(record),
                             document_checksum);
   };
-  return conclude(command, info_of(record), outcome_of(record), std::move(result));
+  const int code = conclude(command, info_of(record), outcome_of(record), std::move(result));
+  if (command.caller) command.caller->take(std::move(record), scene);
+  return code;
 }
 
 // A result's text as it is printed.

@@ -12,7 +12,6 @@
 #include "graze/assembly/probes.hpp"
 #include "graze/base/angle.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/names/detail/sweep_names.hpp"
 #include "graze/report/text/text.hpp"
@@ -271,13 +270,7 @@ int run(const SimulateCommand& command) {
                record.run.state};
   // Those of a picture are none to go on with.
   if (!state.sample_rate) state.state.samples = 0;
-  const auto files = [&] {
-    NamedFiles list = {{kStateFile, write_run_state(state)}};
-    if (record.section) list.emplace_back("section.csv", section_csv(*record.section));
-    if (record.run.amplitudes && record.run.amplitudes->forces)
-      list.emplace_back("forces.csv", forces_csv(*record.run.amplitudes->forces));
-    return list;
-  };
+  const auto files = [&] { return NamedFiles{{kStateFile, write_run_state(state)}}; };
   return conclude(
       command, record, scene, files,
       {[&] { return to_json(record, output.events()); }, {}, {}, {}, output.take_tables()});

@@ -7,6 +7,8 @@
 #   (default 300) long;
 # - the scripts that the independent numbers of data/validation are from, against those numbers;
 # - graze-mpi with 1 to 8 ranks, and after 100 kills, against the program (tests/mpi);
+# - the Python package against the program on every command of tests/results/commands.txt, its memory over
+#   a thousand calls of each function, wrong arguments, and ten million rows on their way to NumPy;
 # - the lowest 50 modes of an elastic block with 1e5 unknowns, against 120 s and 6 GiB;
 # - one command of each kind under valgrind, which sees reads of what was never written.
 # About an hour on two cores; the logs are left in build/long. Exit 1 when anything was found.
@@ -15,7 +17,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 [ $# -eq 0 ] || { echo "usage: bash tests/long.sh" >&2; exit 2; }
 set -e
-bash apps/install_packages.sh --tests --mpi
+bash apps/install_packages.sh --tests --mpi --python
 command -v valgrind > /dev/null || sudo -n apt-get install -y valgrind || apt-get install -y valgrind
 for preset in release dev; do cmake --preset "$preset" -DGRAZE_TESTS=ON > /dev/null; done
 cmake --build --preset release --target graze_program
@@ -37,6 +39,12 @@ echo "== ranks of an MPI job"
 { cmake --preset release -DGRAZE_MPI=ON && cmake --build --preset release --target graze_mpi; } \
   > "$logs/mpi.log" 2>&1
 python3 tests/mpi/check_ranks.py build/graze build/graze-mpi data/scenes "$logs/mpi" 100 || failed=1
+
+echo "== Python package"
+{ cmake --preset release -DGRAZE_PYTHON=ON && cmake --build --preset release --target graze_python python_call_cost; } \
+  > "$logs/python_build.log" 2>&1
+GRAZE_LONG=1 /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/python > "$logs/python.log" 2>&1 ||
+  { failed=1; tail -n 40 "$logs/python.log"; }
 
 echo "== modes of a solid"
 { cmake --preset release -DGRAZE_BENCH=ON && cmake --build --preset release --target solid_modes; } \

@@ -21,7 +21,7 @@ GRAZE_HARD_CASES=$(mktemp)
 GRAZE_COSTS=$(mktemp)
 export GRAZE_HARD_CASES GRAZE_COSTS
 trap 'rm -f "$GRAZE_HARD_CASES" "$GRAZE_COSTS"' EXIT
-ctest --preset "$preset" --parallel "$(nproc)"
+ctest --preset "$preset" --label-exclude python --parallel "$(nproc)"
 build=$root/build
 [ "$preset" = release ] || build=$root/build-dev
 rm -rf "$build/fuzz"

@@ -232,6 +232,7 @@ TEST(Architecture, ThirdPartiesAreFenced) {
       {"toml++", {"lib/graze/scene/"}}, {"ceres/", {"lib/graze/orbit/", "lib/graze/fit/"}},
       {"glog/", {"lib/graze/orbit/"}},  {"nlohmann/", {"lib/graze/record/", "lib/graze/report/"}},
       {"CLI/", {"apps/"}, true},        {"nettle/", {"lib/graze/base/"}},
+      {"pybind11/", {"apps/python/"}, true},
       {"Spectra/", {"lib/graze/fem/"}}, {"suitesparse/", {"lib/graze/fem/"}},
       {"zip.h", {"lib/graze/fem/"}},    {"nlopt", {"lib/graze/orbit/", "lib/graze/fit/"}},
       {"tbb/", {"lib/graze/base/"}},

@@ -5,10 +5,57 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <vector>
 
 #include "graze/base/detail/stop_scope.hpp"
 
 namespace graze {
+namespace {
+
+// An arena of so many threads that nobody else uses meanwhile. TBB does not give back all that it
+// takes for one, some seven kilobytes, so that those there are serve again.
+class LentArena {
+ public:
+  explicit LentArena(int threads) : threads_(threads) {
+    {
+      const std::lock_guard lock(mutex());
+      std::vector<Arena>& known = idle()[threads];
+      if (!known.empty()) {
+        arena_ = std::move(known.back());
+        known.pop_back();
+      }
+    }
+    if (!arena_) arena_ = std::make_unique<tbb::task_arena>(threads);
+  }
+  ~LentArena() {
+    const std::lock_guard lock(mutex());
+    idle()[threads_].push_back(std::move(arena_));
+  }
+  LentArena(const LentArena&) = delete;
+  LentArena& operator=(const LentArena&) = delete;
+
+  tbb::task_arena& operator*() { return *arena_; }
+
+ private:
+  using Arena = std::unique_ptr<tbb::task_arena>;
+  // Never destroyed, as TBB may end before what is static here.
+  static std::map<int, std::vector<Arena>>& idle() {
+    static auto& arenas = *new std::map<int, std::vector<Arena>>;
+    return arenas;
+  }
+  static std::mutex& mutex() {
+    static auto& only = *new std::mutex;
+    return only;
+  }
+
+  int threads_;
+  Arena arena_;
+};
+
+}  // namespace
 
 int thread_count(int threads) {
   const int cores = tbb::info::default_concurrency();
@@ -22,8 +69,8 @@ void for_each_index(std::size_t count, int threads, const std::function<void(std
   }
   // More threads than cores gain nothing, and TBB complains of them on the terminal.
   const StopSignal stop = StopScope::current();
-  tbb::task_arena arena(thread_count(threads));
-  arena.execute([&] {
+  LentArena arena(thread_count(threads));
+  (*arena).execute([&] {
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, count, 1),
         [&](const tbb::blocked_range<std::size_t>& part) {

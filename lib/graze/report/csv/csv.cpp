@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -37,27 +39,31 @@ std::string events_csv_header() {
          "peak_force,effective_restitution\n";
 }
 
-std::string events_csv_row(const Event& e) {
-  const std::string start = fmt::format("{},{},{}", name_of(e.kind), csv_cell(e.time), e.stop + 1);
-  switch (e.kind) {
-    case EventKind::kImpact:
-      return fmt::format("{},{},{},{},,,,,,\n", start, csv_cell(e.speed), csv_cell(e.phase),
-                         csv_cell(e.energy_change));
-    case EventKind::kChatter:
-      return fmt::format("{},,,{},{},{},,,,\n", start, csv_cell(e.energy_change), e.impacts,
-                         csv_cell(e.closure_speed));
-    case EventKind::kStick:
-      return fmt::format("{},,,,,,{},,,\n", start, csv_cell(e.force));
-    case EventKind::kContact:
-      return fmt::format("{},{},{},,,,,,,\n", start, csv_cell(e.speed), csv_cell(e.phase));
-    case EventKind::kSeparation:
-      return fmt::format("{},{},,{},,,,{},{},{}\n", start, csv_cell(e.speed),
-                         csv_cell(e.energy_change), csv_cell(e.duration), csv_cell(e.peak_force),
-                         csv_cell(e.effective_restitution));
-    case EventKind::kRelease:
-      break;
-  }
-  return start + ",,,,,,,,,\n";
+void write_event_row(const Event& e, double* row) {
+  const bool meets = e.kind == EventKind::kImpact || e.kind == EventKind::kContact;
+  const bool parts = e.kind == EventKind::kSeparation, chatters = e.kind == EventKind::kChatter;
+  const auto only = [](bool exists, double value) { return exists ? value : NAN; };
+  const std::array<double, kEventNumbers> numbers = {
+      e.time,
+      e.stop + 1.0,
+      only(meets || parts, e.speed),
+      only(meets, e.phase.value_or(NAN)),
+      only(e.kind == EventKind::kImpact || parts || chatters, e.energy_change),
+      only(chatters, static_cast<double>(e.impacts)),
+      only(chatters, e.closure_speed),
+      only(e.kind == EventKind::kStick, e.force),
+      only(parts, e.duration),
+      only(parts, e.peak_force),
+      only(parts, e.effective_restitution.value_or(NAN))};
+  std::copy(numbers.begin(), numbers.end(), row);
+}
+
+std::string events_csv_row(const Event& event) {
+  std::array<double, kEventNumbers> row{};
+  write_event_row(event, row.data());
+  std::string text = name_of(event.kind);
+  for (const double value : row) fmt::format_to(std::back_inserter(text), ",{}", csv_cell(value));
+  return text + "\n";
 }
 
 std::string samples_csv_header(const System& system, bool energy,
@@ -79,29 +85,34 @@ std::string samples_csv_header(const System& system, bool energy,
   return text + "\n";
 }
 
-std::string samples_csv_row(const System& system, const Sample& sample,
-                            const std::vector<ProbeRow>& probes) {
-  std::string text = csv_cell(sample.time);
-  const auto add = [&](const auto& value) {
-    fmt::format_to(std::back_inserter(text), ",{}", csv_cell(value));
-  };
+std::size_t sample_numbers(const System& system, const Sample& sample,
+                           const std::vector<ProbeRow>& probes) {
+  constexpr std::size_t kEnergies = 7;
+  return 1 + 2 * static_cast<std::size_t>(sample.state.q.size()) + system.stops.size() +
+         sample.forces.size() + (sample.energy ? kEnergies : 0) + probes.size();
+}
+
+double* write_sample_row(const System& system, const Sample& sample,
+                         const std::vector<ProbeRow>& probes, double* row) {
+  const auto add = [&](const std::optional<double>& value) { *row++ = value.value_or(NAN); };
   const auto add_state = [&](const State& state) {
-    for (const double value : state.q) add(value);
-    for (const double value : state.qdot) add(value);
+    row = std::copy(state.q.begin(), state.q.end(), row);
+    row = std::copy(state.qdot.begin(), state.qdot.end(), row);
   };
+  *row++ = sample.time;
   if (system.turns()) {
     const HubState hub = hub_state(*system.rotation(), sample.state);
-    add(hub.angle);
-    add(hub.rate);
+    *row++ = hub.angle;
+    *row++ = hub.rate;
     add_state(hub.beam);
   } else {
     add_state(sample.state);
   }
-  for (const Stop& stop : system.stops) add(stop.gap - stop.row.dot(sample.state.q));
-  for (const double force : sample.forces) add(force);
+  for (const Stop& stop : system.stops) *row++ = stop.gap - stop.row.dot(sample.state.q);
+  row = std::copy(sample.forces.begin(), sample.forces.end(), row);
   if (sample.energy) {
     const EnergyEntries entries = energy_entries(system, *sample.energy);
-    add(sample.energy->now);
+    *row++ = sample.energy->now;
     add(entries.forcing);
     add(entries.load);
     add(entries.constraint);
@@ -109,7 +120,17 @@ std::string samples_csv_row(const System& system, const Sample& sample,
     add(entries.dissipation);
     add(entries.contact);
   }
-  for (const ProbeRow& probe : probes) add(probe.value(sample.state));
+  for (const ProbeRow& probe : probes) *row++ = probe.value(sample.state);
+  return row;
+}
+
+std::string samples_csv_row(const System& system, const Sample& sample,
+                            const std::vector<ProbeRow>& probes) {
+  std::vector<double> row(sample_numbers(system, sample, probes));
+  write_sample_row(system, sample, probes, row.data());
+  std::string text = csv_cell(row.front());
+  for (std::size_t i = 1; i < row.size(); ++i)
+    fmt::format_to(std::back_inserter(text), ",{}", csv_cell(row[i]));
   return text + "\n";
 }
 

@@ -20,11 +20,22 @@ struct StableRegions;
 // Tables of a run grow row by row, so header and rows come apart.
 std::string events_csv_header();
 std::string events_csv_row(const Event& event);
+// The numbers of that row behind its kind, NaN for what does not exist, from `row` on, which has
+// room for them.
+inline constexpr std::size_t kEventNumbers = 11;
+void write_event_row(const Event& event, double* row);
 // With `energy` the entries of the energy balance follow, then the probes.
 std::string samples_csv_header(const System& system, bool energy,
                                const std::vector<ProbeRow>& probes = {});
 std::string samples_csv_row(const System& system, const Sample& sample,
                             const std::vector<ProbeRow>& probes = {});
+// The numbers of that row, NaN for what does not exist, from `row` on, which has room for them;
+// returns the end of them.
+double* write_sample_row(const System& system, const Sample& sample,
+                         const std::vector<ProbeRow>& probes, double* row);
+// How many there are.
+std::size_t sample_numbers(const System& system, const Sample& sample,
+                           const std::vector<ProbeRow>& probes);
 
 // One line a window of time: its ends and the mean force of every stop meanwhile.
 std::string forces_csv(const StopForces& forces);

@@ -1,0 +1,34 @@
+"""Graze: motions, periodic orbits, branches and bifurcations of impacting flexible structures.
+
+>>> import graze
+>>> scene = graze.Scene.load("data/scenes/05_wagg_one_mode.toml")
+>>> graze.simulate(scene, periods=20).events["speed"]  # m/s
+
+Every function takes a scene (a Scene, a file or a dict) and the options of the program's command of
+that name as keywords. Units are SI, angles in radians; docs/python.md tells the rest.
+"""
+
+from ._core import version as __version__
+from .attractor_maps import Map, map
+from .branches import Branches, continue_
+from .comparisons import Comparison, ComparisonMap, Sensitivity, compare
+from .costs import Cost, cost
+from .diagrams import Diagram, RunDiagram, diagram
+from .equations import Branch, SpecialPoint, continuation
+from .errors import Error, FileError, GrazeWarning, NumericsError, OptionError, SceneError
+from .fits import Fit, fit
+from .locus_curves import Loci, loci
+from .mode_tables import Check, Modes, check, modes
+from .periodic_orbits import Orbits, orbit
+from .result import Result
+from .scene import Scene
+from .simulation import Simulation, simulate
+from .table import Table
+
+__all__ = [
+    "Branch", "Branches", "Check", "Comparison", "ComparisonMap", "Cost", "Diagram", "Error",
+    "FileError", "Fit", "GrazeWarning", "Loci", "Map", "Modes", "NumericsError", "OptionError",
+    "Orbits", "Result", "RunDiagram", "Scene", "SceneError", "Sensitivity", "Simulation",
+    "SpecialPoint", "Table", "__version__", "check", "compare", "continuation", "continue_", "cost",
+    "diagram", "fit", "loci", "map", "modes", "orbit", "simulate",
+]

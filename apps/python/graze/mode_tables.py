@@ -1,0 +1,74 @@
+"""graze.modes and graze.check: natural modes, and what a scene simulates."""
+
+from __future__ import annotations
+
+from typing import Any, Optional
+
+import numpy as np
+
+from .command import command, result_kind
+from .result import Result
+from .words import PathLike, Progress, SceneLike, Settings
+
+
+@result_kind("modes")
+class Modes(Result):
+    """Natural modes: `frequencies` in rad/s, `decay_rates` in 1/s; document["directions"] holds
+    effective masses in kg."""
+
+    main_table = ""
+
+    @property
+    def frequencies(self) -> np.ndarray:
+        """Angular frequencies, rad/s."""
+        return np.array([mode["frequency"] for mode in self.document["modes"]], dtype=float)
+
+    @property
+    def decay_rates(self) -> np.ndarray:
+        """Decay rates, 1/s; NaN where there is none."""
+        return np.array([mode["decay_rate"] for mode in self.document["modes"]], dtype=float)
+
+    def to_pandas(self, table: str = "") -> Any:
+        import pandas
+
+        return pandas.DataFrame(self.document["modes"])
+
+    def _repr_html_(self) -> str:
+        from .table import html_rows
+
+        rows = list(zip(range(1, 1 + len(self.frequencies)), self.frequencies, self.decay_rates))
+        return html_rows("natural modes", ("mode", "rad/s", "1/s"), rows)
+
+
+@result_kind("check")
+class Check(Result):
+    """What a scene simulates; `print` it."""
+
+    main_table = ""
+
+
+@command("modes")
+def modes(
+    scene: SceneLike,
+    *,
+    set: Settings = None,
+    out: Optional[PathLike] = None,
+    threads: int = 0,
+    progress: Progress = None,
+    mac: Optional[PathLike] = None,
+) -> Modes:
+    """Finds the natural modes of the structure: frequencies, effective masses, shapes."""
+    raise NotImplementedError  # the decorator does it
+
+
+@command("check")
+def check(
+    scene: SceneLike,
+    *,
+    set: Settings = None,
+    out: Optional[PathLike] = None,
+    threads: int = 0,
+    progress: Progress = None,
+) -> Check:
+    """Says what is simulated: modes, frequencies, conditioning, flow."""
+    raise NotImplementedError  # the decorator does it

@@ -1,0 +1,275 @@
+// Results: their documents, texts, tables as NumPy arrays, charts and pictures.
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <sstream>
+
+#include "bindings.hpp"
+#include "charts.hpp"
+#include "csv_columns.hpp"
+#include "drawing.hpp"
+#include "graze/report/csv/csv.hpp"
+#include "graze/report/detail/names.hpp"
+#include "graze/report/json/detail/json_page.hpp"
+#include "graze/report/json/json.hpp"
+#include "graze/report/page/detail/page.hpp"
+#include "graze/report/text/text.hpp"
+#include "in_process.hpp"
+#include "tables.hpp"
+
+namespace graze {
+namespace {
+
+namespace py = pybind11;
+
+// In the order of AnyRecord.
+constexpr const char* kKinds[] = {
+    "check", "simulation", "orbits",         "branches",    "loci", "diagram", "run_diagram",
+    "map",   "comparison", "comparison_map", "sensitivity", "cost", "fit",     "modes"};
+static_assert(std::size(kKinds) == std::variant_size_v<AnyRecord>);
+
+const AnyRecord& record_of(const FoundResult& result) {
+  if (!result.record()) throw py::value_error("the command ended without a result");
+  return *result.record();
+}
+
+py::str words(const std::string& text) {
+  return py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
+}
+
+// Read-only, as tables share one memory with the result.
+template <class Number>
+py::array view(const Number* data, std::size_t count, std::size_t stride, const py::object& owner) {
+  py::array_t<Number> array({count}, {stride * sizeof(Number)}, data, owner);
+  array.attr("setflags")(py::arg("write") = false);
+  return array;
+}
+
+// Takes the list's memory over.
+template <class Number>
+py::array array_of(std::vector<Number>&& list) {
+  auto* kept = new std::vector<Number>(std::move(list));
+  const py::capsule owner(kept, [](void* at) { delete static_cast<std::vector<Number>*>(at); });
+  return view(kept->data(), kept->size(), 1, owner);
+}
+
+py::object values_of(
+    std::variant<std::vector<double>, std::vector<std::int64_t>, WordColumn>&& of) {
+  if (auto* listed = std::get_if<WordColumn>(&of)) {
+    py::list names;
+    for (const std::string& word : listed->words) names.append(words(word));
+    return py::make_tuple(array_of(std::move(listed->codes)), names);
+  }
+  if (auto* whole = std::get_if<std::vector<std::int64_t>>(&of)) return array_of(std::move(*whole));
+  return array_of(std::move(std::get<std::vector<double>>(of)));
+}
+
+py::list csv_table(const Table& table) {
+  std::vector<CsvColumn> columns;
+  {
+    const py::gil_scoped_release release;
+    columns = csv_columns(table.csv());
+  }
+  py::list list;
+  for (CsvColumn& column : columns)
+    list.append(py::make_tuple(column.name, values_of(std::move(column.values))));
+  return list;
+}
+
+std::vector<std::string> names_in(const std::string& header) {
+  std::vector<std::string> names;
+  std::istringstream line(header.substr(0, header.find('\n')));
+  for (std::string name; std::getline(line, name, ',');) names.push_back(name);
+  return names;
+}
+
+// Columns of rows, all in one piece of memory that `owner` keeps.
+py::list columns_of(const Rows& rows, const py::object& owner) {
+  py::list list;
+  for (std::size_t i = 0; i < rows.columns().size(); ++i)
+    list.append(py::make_tuple(rows.columns()[i],
+                               view(rows.data() + i, rows.count(), rows.columns().size(), owner)));
+  return list;
+}
+
+py::list event_table(const FoundResult& result) {
+  std::vector<std::string> names = names_in(events_csv_header());
+  WordColumn kinds;
+  for (const EventKind kind : {EventKind::kImpact, EventKind::kChatter, EventKind::kStick,
+                               EventKind::kRelease, EventKind::kContact, EventKind::kSeparation})
+    kinds.words.emplace_back(name_of(kind));
+  auto rows = std::make_unique<Rows>(std::vector<std::string>(names.begin() + 1, names.end()));
+  {
+    const py::gil_scoped_release release;
+    for (const Event& event : result.events()) {
+      write_event_row(event, rows->add());
+      kinds.codes.push_back(static_cast<std::int32_t>(event.kind));
+    }
+  }
+  py::list list;
+  list.append(py::make_tuple(names.front(), values_of(std::move(kinds))));
+  const Rows& kept = *rows;
+  const py::capsule owner(rows.release(), [](void* at) { delete static_cast<Rows*>(at); });
+  for (const py::handle column : columns_of(kept, owner)) list.append(column);
+  return list;
+}
+
+std::vector<Table> tables(const FoundResult& result) {
+  return std::visit([](const auto& record) { return tables_of(record); }, record_of(result));
+}
+
+std::string without_ending(const std::string& name) { return name.substr(0, name.rfind('.')); }
+
+std::vector<std::string> table_names(const FoundResult& result) {
+  std::vector<std::string> names;
+  if (std::holds_alternative<SimulationRecord>(record_of(result))) names.emplace_back("events");
+  if (result.samples() && result.samples()->count() > 0) names.emplace_back("samples");
+  for (const Table& table : tables(result)) names.push_back(without_ending(table.name));
+  return names;
+}
+
+py::list table(const py::object& self, const std::string& name) {
+  const auto& result = self.cast<const FoundResult&>();
+  if (name == "events") return event_table(result);
+  if (name == "samples" && result.samples()) return columns_of(*result.samples(), self);
+  for (const Table& known : tables(result))
+    if (without_ending(known.name) == name) return csv_table(known);
+  throw py::key_error(name);
+}
+
+std::string document(const FoundResult& result) {
+  Spool events("/tmp");
+  std::string text;
+  const auto collect = [&](const Document& whole) {
+    whole.read([&](std::string_view piece) { text += piece; });
+  };
+  std::visit(
+      [&](const auto& record) {
+        if constexpr (requires { to_json(record, events); }) {
+          for (const Event& event : result.events()) add_event_json(event, events);
+          collect(to_json(record, events));
+        } else {
+          collect(Document(to_json(record)));
+        }
+      },
+      record_of(result));
+  return text;
+}
+
+std::string printed(const FoundResult& result, bool verbose) {
+  const TextOptions options{100, verbose};
+  return std::visit(
+      [&](const auto& record) { return fitted_lines(to_text(record, options), options); },
+      record_of(result));
+}
+
+// Throws where the record is not drawn into such a file, or keeps too little of what is drawn.
+template <class Record>
+void check_drawable(const CommonOptions& command, const Record& record) {
+  check_plot<Record>(command);
+  if (const std::string nothing = nothing_to_draw(record); !nothing.empty())
+    throw py::value_error(nothing);
+}
+void check_drawable(const CommonOptions& command, const MapRecord& record) {
+  check_plot<MapRecord>(command);
+  if (is_page_name(command.plot.file)) check_map_page(command.plot.file, record.map.options);
+}
+void check_drawable(const CommonOptions& command, const SimulationRecord& record) {
+  check_plot_of_run(command, record.section.has_value(), record.shown);
+  if (record.samples.empty() && !record.section)
+    throw py::value_error(
+        "the run kept none of the motion that a picture shows; give it a folder, out=, or plot()");
+}
+
+void save(const FoundResult& result, const std::string& file) {
+  const AnyRecord& any = record_of(result);
+  const py::gil_scoped_release release;
+  CommonOptions command;
+  command.plot.file = file;
+  std::visit(
+      [&](const auto& record) {
+        check_drawable(command, record);
+        draw(command, record, result.scene());
+      },
+      any);
+}
+
+std::optional<py::dict> chart(const FoundResult& result) {
+  const std::optional<Chart> made = std::visit(
+      [&](const auto& record) { return chart_shown(record, result.scene()); }, record_of(result));
+  return made ? std::optional(chart_dict(*made)) : std::nullopt;
+}
+
+// Title and unit of what --show named, where that was measured.
+std::optional<std::pair<std::string, std::string>> shown(const FoundResult& result) {
+  const auto titled = [](const std::optional<Shown>& of, const std::vector<MeasuredPlace>& places) {
+    return of ? std::optional(
+                    std::pair(plain_text(shown_title(*of, places)), shown_unit(*of, places)))
+              : std::nullopt;
+  };
+  const AnyRecord& record = record_of(result);
+  if (const auto* branches = std::get_if<BranchRecord>(&record))
+    return titled(branches->shown, branches->amplitudes.places);
+  if (const auto* diagram = std::get_if<DiagramRecord>(&record))
+    return titled(diagram->branches.shown, diagram->branches.amplitudes.places);
+  if (const auto* map = std::get_if<MapRecord>(&record)) return titled(map->measured, map->places);
+  return {};
+}
+
+template <class Record>
+const std::vector<std::string>& warnings_in(const Record& record) {
+  if constexpr (requires { record.warnings; })
+    return record.warnings;
+  else
+    return record.branches.warnings;
+}
+
+const Outcome& outcome(const FoundResult& result) {
+  return std::visit([](const auto& record) -> const Outcome& { return outcome_of(record); },
+                    record_of(result));
+}
+
+}  // namespace
+
+void bind_results(py::module_& module) {
+  using Self = const FoundResult&;
+  py::class_<FoundResult, std::shared_ptr<FoundResult>>(module, "FoundResult")
+      .def_property_readonly(
+          "kind",
+          [](Self self) {
+            return self.record() ? std::optional<std::string>(kKinds[self.record()->index()])
+                                 : std::nullopt;
+          })
+      .def_property_readonly("outcome", [](Self self) { return outcome(self).name; })
+      .def_property_readonly("message", [](Self self) { return words(outcome(self).message); })
+      .def_property_readonly(
+          "warnings",
+          [](Self self) {
+            py::list list;
+            for (const std::string& warning : std::visit(
+                     [](const auto& record) { return warnings_in(record); }, record_of(self)))
+              list.append(words(warning));
+            return list;
+          })
+      .def("json",
+           [](Self self) {
+             std::string text;
+             {
+               const py::gil_scoped_release release;
+               text = document(self);
+             }
+             return words(text);
+           })
+      .def("text", [](Self self, bool verbose) { return words(printed(self, verbose)); })
+      .def("table_names", table_names)
+      .def("table", table)
+      .def("chart", chart)
+      .def("shown", shown)
+      .def("save", save);
+  module.def("looks", look_dicts);
+  module.def("axis_unit", axis_unit_pair);
+  module.def("parameter_title", plain_parameter_title);
+}
+
+}  // namespace graze
