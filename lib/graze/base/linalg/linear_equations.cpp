@@ -36,6 +36,10 @@ ComplexVector ComplexLuFactors::solve_transposed(const ComplexVector& right) con
   return factors_.transpose().solve(right);
 }
 
+double ComplexLuFactors::log_modulus() const {
+  return factors_.matrixLU().diagonal().array().abs().log().sum();
+}
+
 ComplexVector solve(const Eigen::MatrixXcd& matrix, const ComplexVector& right) {
   return matrix.partialPivLu().solve(right);
 }

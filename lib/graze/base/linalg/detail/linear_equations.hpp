@@ -33,6 +33,7 @@ class ComplexLuFactors {
 
   ComplexVector solve(const ComplexVector& right) const;             // x of A x = right
   ComplexVector solve_transposed(const ComplexVector& right) const;  // x of A^T x = right
+  double log_modulus() const;                                        // log |det A|
 
  private:
   Eigen::PartialPivLU<Eigen::MatrixXcd> factors_;
