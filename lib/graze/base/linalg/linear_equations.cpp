@@ -1,5 +1,7 @@
 #include "graze/base/linalg/detail/linear_equations.hpp"
 
+#include <cmath>
+
 template class Eigen::PartialPivLU<Eigen::MatrixXd>;
 template class Eigen::PartialPivLU<Eigen::MatrixXcd>;
 
@@ -23,6 +25,8 @@ int LuFactors::determinant_sign() const {
     if (pivot < 0.0) sign = -sign;
   return sign;
 }
+
+double LuFactors::determinant_size() const { return std::abs(factors_.determinant()); }
 
 double LuFactors::reciprocal_condition() const { return factors_.rcond(); }
 

@@ -17,8 +17,8 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 // others move by less than its size times what their vectors may be out of proportion.
 constexpr double kExtinguished = 0x1p-100, kWeak = 0x1p-80, kExtinguishedByAll = 0x1p-200;
 constexpr double kProportion = 0x1p20;
-// A jump with a reciprocal condition below this makes an eigenvalue too small to be found like the
-// others.
+// A jump whose determinant is cancelled to this part makes an eigenvalue too small to be found like
+// the others.
 constexpr double kSingular = 0x1p-40;
 // Below this product of its rows of P and Q, a mode's eigenvalues are those of its flow to the last
 // digit, and the others do not feel it.
@@ -161,11 +161,13 @@ class RootSearch {
   std::vector<std::size_t> released_;
 };
 
-// Whether 1 + P Q^T may be: its determinant is that of the small 1 + Q^T P.
+// Whether 1 + P Q^T may be: its determinant is that of the small 1 + Q^T P, next to the terms that
+// its diagonal is made of.
 bool is_singular(const JumpAndFlow& factor) {
   const Index rank = factor.from.cols();
-  const Matrix small = Matrix::Identity(rank, rank) + factor.to.transpose() * factor.from;
-  return !(LuFactors(small).reciprocal_condition() > kSingular);
+  const Matrix added = factor.to.transpose() * factor.from;
+  const double terms = (1.0 + added.diagonal().array().abs()).prod();
+  return !(LuFactors(Matrix::Identity(rank, rank) + added).determinant_size() > kSingular * terms);
 }
 
 double flow_size(const JumpAndFlow& factor, Index m) {

@@ -1,5 +1,6 @@
 #include "graze/base/linalg/detail/secular_function.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -117,6 +118,21 @@ void add(Eigen::Array<double, Eigen::Dynamic, 4>& sums, Index from, Index to,
 }
 
 }  // namespace
+
+// |F + (F P) Q^T|^2 = |F|^2 + 2 tr F^T F P Q^T + tr (F P)^T F P Q^T Q.
+double JumpAndFlow::norm() const {
+  const Index n = qq.size();
+  Matrix flown(from.rows(), from.cols());
+  flown.topRows(n) = qq.asDiagonal() * from.topRows(n) + qv.asDiagonal() * from.bottomRows(n);
+  flown.bottomRows(n) = vq.asDiagonal() * from.topRows(n) + vv.asDiagonal() * from.bottomRows(n);
+  Matrix back(from.rows(), from.cols());
+  back.topRows(n) = qq.asDiagonal() * flown.topRows(n) + vq.asDiagonal() * flown.bottomRows(n);
+  back.bottomRows(n) = qv.asDiagonal() * flown.topRows(n) + vv.asDiagonal() * flown.bottomRows(n);
+  const double square = qq.squaredNorm() + qv.squaredNorm() + vq.squaredNorm() + vv.squaredNorm() +
+                        2.0 * back.cwiseProduct(to).sum() +
+                        (flown.transpose() * flown).cwiseProduct(to.transpose() * to).sum();
+  return std::sqrt(std::max(square, 0.0));
+}
 
 SecularFunction::SecularFunction(const std::vector<JumpAndFlow>& factors) : factors_(factors) {
   const Index n = factors.front().qq.size();

@@ -110,16 +110,17 @@ std::optional<JumpAndFlow> jump_and_flow(const System& system, const Stop& stop,
       side->row(n + j) *= gives ? 1.0 / b : b;
     }
   }
-  if (!(from.norm() * to.norm() <= kViolentNorm)) return {};
   const FlowMatrix free = flow_matrix(system, flow, duration);
   const Vector ratio = units.velocity.cwiseQuotient(units.displacement);
-  return JumpAndFlow{std::move(from),
+  JumpAndFlow factor{std::move(from),
                      std::move(to),
                      free.qq,
                      free.qv.cwiseProduct(ratio),
                      free.vq.cwiseQuotient(ratio),
                      free.vv,
                      roundings_of_modes(system, duration)};
+  if (!(factor.norm() <= kViolentNorm)) return {};
+  return factor;
 }
 
 // By the secular equation; nothing where the product is to be preferred.

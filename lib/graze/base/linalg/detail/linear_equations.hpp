@@ -18,7 +18,8 @@ class LuFactors {
   Matrix solve_columns(const Matrix& right) const;     // X of A X = right
   Vector solve_transposed(const Vector& right) const;  // x of A^T x = right
   Matrix inverse() const;
-  int determinant_sign() const;  // 1 or -1
+  int determinant_sign() const;     // 1 or -1
+  double determinant_size() const;  // |det A|
   // Estimate of 1/(|A| |A^-1|) in the 1-norm.
   double reciprocal_condition() const;
 

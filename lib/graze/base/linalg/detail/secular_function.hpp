@@ -24,6 +24,8 @@ struct JumpAndFlow {
   Matrix from, to;        // P, Q: 2n x r
   Vector qq, qv, vq, vv;  // the blocks of F: n each
   Vector uncertainty;     // n: how far each block may be from the one that is meant, in eps |block|
+
+  double norm() const;  // |F S| (Frobenius)
 };
 
 // The eigenvalues of a mode's block of all flows: real, or conjugate.
