@@ -86,9 +86,10 @@ ImpulseMotions PeriodicResponse::impulses(const std::vector<int>& stops,
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](Eigen::Index a, Eigen::Index b) { return instants[a] < instants[b]; });
-  std::vector<double> gaps(k);
+  std::vector<double> at(k), gaps(k);
+  for (std::size_t a = 0; a < k; ++a) at[a] = instants[order[a]];
   for (std::size_t a = 0; a < k; ++a)
-    gaps[a] = instants[order[(a + 1) % k]] - instants[order[a]] + (a + 1 == k ? duration_ : 0.0);
+    gaps[a] = at[(a + 1) % k] - at[a] + (a + 1 == k ? duration_ : 0.0);
   ImpulseMotions motions{Matrix::Zero(size, size), Matrix::Zero(size, size),
                          Matrix::Zero(size, size)};
   std::vector<FreeStep> steps(k);
@@ -101,9 +102,11 @@ ImpulseMotions PeriodicResponse::impulses(const std::vector<int>& stops,
           system_->stops[static_cast<std::size_t>(stops[static_cast<std::size_t>(order[a])])];
       row[a] = stop.row[j];
       direction[a] = stop.direction()[j];
-      steps[a] = free_step(mode.omega, mode.delta, mode.discriminant, gaps[a]);
+      steps[a] = gaps[a] > 0.0 ? free_step(mode.omega, mode.delta, mode.discriminant, gaps[a])
+                               : FreeStep{};
     }
     const double damping = 2.0 * mode.delta, stiffness = mode.omega * mode.omega;
+    const auto [q_lap, v_lap] = after(mode, duration_);
     for (std::size_t from = 0; from < k; ++from) {
       double q = mode.displacement, v = mode.velocity;
       for (std::size_t passed = 1; passed < k; ++passed) {
@@ -112,22 +115,16 @@ ImpulseMotions PeriodicResponse::impulses(const std::vector<int>& stops,
         v = step.vq * q + step.vv * v;
         q = end;
         const std::size_t to = (from + passed) % k;
+        const bool together = to > from && at[to] == at[from];
+        const double q_there = together ? q_lap : q, v_there = together ? v_lap : v;
         const double weight = row[to] * direction[from];
-        motions.value(order[to], order[from]) += weight * q;
-        motions.rate(order[to], order[from]) += weight * v;
-        motions.acceleration(order[to], order[from]) -= weight * (damping * v + stiffness * q);
+        motions.value(order[to], order[from]) += weight * q_there;
+        motions.rate(order[to], order[from]) += weight * v_there;
+        motions.acceleration(order[to], order[from]) -=
+            weight * (damping * v_there + stiffness * q_there);
       }
     }
   }
-  for (std::size_t from = 0; from < k; ++from)
-    for (std::size_t to = from + 1; to < k && instants[order[to]] == instants[order[from]]; ++to) {
-      const Eigen::Index i = order[to], j = order[from];
-      const RowMotion lap = impulse(stops[static_cast<std::size_t>(i)],
-                                    stops[static_cast<std::size_t>(j)], duration_);
-      motions.value(i, j) = lap.value;
-      motions.rate(i, j) = lap.rate;
-      motions.acceleration(i, j) = lap.acceleration;
-    }
   return motions;
 }
 
