@@ -1,5 +1,7 @@
 #include "graze/base/linalg/detail/linear_equations.hpp"
 
+#include <cmath>
+
 template class Eigen::PartialPivLU<Eigen::MatrixXd>;
 template class Eigen::PartialPivLU<Eigen::MatrixXcd>;
 
@@ -24,6 +26,8 @@ int LuFactors::determinant_sign() const {
   return sign;
 }
 
+double LuFactors::determinant_size() const { return std::abs(factors_.determinant()); }
+
 double LuFactors::reciprocal_condition() const { return factors_.rcond(); }
 
 ComplexLuFactors::ComplexLuFactors(const Eigen::MatrixXcd& matrix) : factors_(matrix) {}
@@ -34,6 +38,10 @@ ComplexVector ComplexLuFactors::solve(const ComplexVector& right) const {
 
 ComplexVector ComplexLuFactors::solve_transposed(const ComplexVector& right) const {
   return factors_.transpose().solve(right);
+}
+
+double ComplexLuFactors::log_modulus() const {
+  return factors_.matrixLU().diagonal().array().abs().log().sum();
 }
 
 ComplexVector solve(const Eigen::MatrixXcd& matrix, const ComplexVector& right) {

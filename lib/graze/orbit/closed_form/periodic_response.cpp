@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "graze/flow/exact/detail/exact_flow.hpp"
 #include "graze/flow/variation/detail/transition.hpp"
@@ -35,15 +37,23 @@ class RepeatedMode {
   double qq_, qv_, vq_, vv_, determinant_;
 };
 
+// The free motion of one mode over a while.
+struct FreeStep {
+  double qq = 1.0, qv = 0.0, vq = 0.0, vv = 1.0;
+};
+
+FreeStep free_step(double omega, double delta, double discriminant, double s) {
+  const FreeBasis<double> basis = free_basis(omega, delta, discriminant, s);
+  return {basis.cosine + delta * basis.sine, basis.sine, -omega * omega * basis.sine,
+          basis.cosine - delta * basis.sine};
+}
+
 }  // namespace
 
 std::pair<double, double> PeriodicResponse::after(const Mode& mode, double s) {
-  const FreeBasis<double> basis = free_basis(mode.omega, mode.delta, mode.discriminant, s);
-  const double q =
-      (basis.cosine + mode.delta * basis.sine) * mode.displacement + basis.sine * mode.velocity;
-  const double v = -mode.omega * mode.omega * basis.sine * mode.displacement +
-                   (basis.cosine - mode.delta * basis.sine) * mode.velocity;
-  return {q, v};
+  const FreeStep step = free_step(mode.omega, mode.delta, mode.discriminant, s);
+  return {step.qq * mode.displacement + step.qv * mode.velocity,
+          step.vq * mode.displacement + step.vv * mode.velocity};
 }
 
 RowMotion PeriodicResponse::forced(int at, double theta) const {
@@ -66,6 +76,56 @@ RowMotion PeriodicResponse::impulse(int at, int by, double s) const {
     motion.acceleration -= weight * (2.0 * mode.delta * v + mode.omega * mode.omega * q);
   }
   return motion;
+}
+
+ImpulseMotions PeriodicResponse::impulses(const std::vector<int>& stops,
+                                          const Vector& instants) const {
+  const auto k = stops.size();
+  const auto size = static_cast<Eigen::Index>(k);
+  std::vector<Eigen::Index> order(k);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Eigen::Index a, Eigen::Index b) { return instants[a] < instants[b]; });
+  std::vector<double> at(k), gaps(k);
+  for (std::size_t a = 0; a < k; ++a) at[a] = instants[order[a]];
+  for (std::size_t a = 0; a < k; ++a)
+    gaps[a] = at[(a + 1) % k] - at[a] + (a + 1 == k ? duration_ : 0.0);
+  ImpulseMotions motions{Matrix::Zero(size, size), Matrix::Zero(size, size),
+                         Matrix::Zero(size, size)};
+  std::vector<FreeStep> steps(k);
+  std::vector<double> row(k), direction(k);  // of the impacts in order
+  for (std::size_t m = 0; m < modes_.size(); ++m) {
+    const Mode& mode = modes_[m];
+    const auto j = static_cast<Eigen::Index>(m);
+    for (std::size_t a = 0; a < k; ++a) {
+      const Stop& stop =
+          system_->stops[static_cast<std::size_t>(stops[static_cast<std::size_t>(order[a])])];
+      row[a] = stop.row[j];
+      direction[a] = stop.direction()[j];
+      steps[a] = gaps[a] > 0.0 ? free_step(mode.omega, mode.delta, mode.discriminant, gaps[a])
+                               : FreeStep{};
+    }
+    const double damping = 2.0 * mode.delta, stiffness = mode.omega * mode.omega;
+    const auto [q_lap, v_lap] = after(mode, duration_);
+    for (std::size_t from = 0; from < k; ++from) {
+      double q = mode.displacement, v = mode.velocity;
+      for (std::size_t passed = 1; passed < k; ++passed) {
+        const FreeStep& step = steps[(from + passed - 1) % k];
+        const double end = step.qq * q + step.qv * v;
+        v = step.vq * q + step.vv * v;
+        q = end;
+        const std::size_t to = (from + passed) % k;
+        const bool together = to > from && at[to] == at[from];
+        const double q_there = together ? q_lap : q, v_there = together ? v_lap : v;
+        const double weight = row[to] * direction[from];
+        motions.value(order[to], order[from]) += weight * q_there;
+        motions.rate(order[to], order[from]) += weight * v_there;
+        motions.acceleration(order[to], order[from]) -=
+            weight * (damping * v_there + stiffness * q_there);
+      }
+    }
+  }
+  return motions;
 }
 
 State PeriodicResponse::forced_state(double theta) const {

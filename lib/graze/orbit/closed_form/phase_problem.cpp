@@ -2,10 +2,18 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "graze/base/angle.hpp"
 
 namespace graze {
+namespace {
+
+// From here on the motions between all impacts are computed in one go: by pairs they cost as many
+// exponentials as there are pairs.
+constexpr Eigen::Index kManyImpacts = 4;
+
+}  // namespace
 
 struct PhaseProblem::Rows {
   Matrix g, h, h_rate;  // impulses: m, m/s, m/s^2 per m/s
@@ -105,9 +113,27 @@ double PhaseProblem::since(const Vector& phases, Eigen::Index i, Eigen::Index j)
   return turn / response_->frequency();
 }
 
+Vector PhaseProblem::instants(const Vector& phases) const {
+  const double lap = kTurn * response_->period();
+  Vector seconds(phases.size());
+  for (Eigen::Index i = 0; i < phases.size(); ++i) {
+    double turn = std::fmod(phases[i] - phases[0], lap);
+    if (turn < 0.0) turn += lap;
+    seconds[i] = (turn < lap ? turn : 0.0) / response_->frequency();
+  }
+  return seconds;
+}
+
 PhaseProblem::Rows PhaseProblem::rows(const Vector& phases) const {
   const Eigen::Index k = impacts();
   Rows rows{Matrix(k, k), Matrix(k, k), Matrix(k, k), Vector(k), Vector(k), Vector(k), Vector(k)};
+  const bool many = k >= kManyImpacts;
+  if (many) {
+    ImpulseMotions motions = response_->impulses(stops_, instants(phases));
+    rows.g = std::move(motions.value);
+    rows.h = std::move(motions.rate);
+    rows.h_rate = std::move(motions.acceleration);
+  }
   for (Eigen::Index i = 0; i < k; ++i) {
     const int at = stops_[static_cast<std::size_t>(i)];
     const RowMotion y = response_->forced(at, phases[i]);
@@ -116,6 +142,7 @@ PhaseProblem::Rows PhaseProblem::rows(const Vector& phases) const {
     rows.forced_acceleration[i] = y.acceleration;
     rows.gap[i] = stop(i).gap;
     for (Eigen::Index j = 0; j < k; ++j) {
+      if (many && i != j) continue;
       const RowMotion motion =
           i == j ? own_[static_cast<std::size_t>(i)]
                  : response_->impulse(at, stops_[static_cast<std::size_t>(j)], since(phases, i, j));

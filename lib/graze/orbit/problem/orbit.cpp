@@ -6,72 +6,14 @@
 #include <utility>
 
 #include "graze/base/angle.hpp"
-#include "graze/base/linalg/detail/product_eigenvalues.hpp"
 #include "graze/flow/exact/detail/arc_curve.hpp"
 #include "graze/flow/variation/detail/transition.hpp"
 #include "graze/motion/detail/clearance.hpp"
-#include "graze/orbit/problem/detail/grazing_multipliers.hpp"
-#include "graze/orbit/problem/detail/saltation.hpp"
 #include "graze/orbit/problem/detail/shooting.hpp"
 #include "graze/system/detail/gap_value.hpp"
 
 namespace graze {
 namespace {
-
-// What an impact and the flight after it do to a deviation.
-struct ImpactSegment {
-  Matrix saltation;
-  FlowMatrix flow;
-  double duration;  // s
-};
-
-std::vector<ImpactSegment> impact_segments(const System& system, const ImpactPattern& pattern,
-                                           const std::vector<ImpactPoint>& points) {
-  const ExactFlow<double> flow(system);
-  std::vector<ImpactSegment> segments;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Stop& stop = stop_of(system, pattern, i);
-    const double duration = flight_time(system, pattern, points, i);
-    segments.push_back({saltation_matrix(system, stop, points[i].before, points[i].theta),
-                        flow_matrix(system, flow, duration), duration});
-  }
-  return segments;
-}
-
-// Impact factors larger than eps^(-1/4), in units of the flow, are taken apart (see orbit.hpp).
-constexpr double kViolentNorm = 0x1p13;
-
-// Velocity per displacement, 1/s, of each mode: a power of two, which does not round, next to the
-// faster of mode and forcing.
-Vector velocity_units(const System& system) {
-  return system.omega.unaryExpr([&](double omega) {
-    return std::ldexp(1.0, std::ilogb(std::max(omega, system.forcing()->frequency)));
-  });
-}
-
-// How far a factor that ends in a flow may be from the one that is meant, in eps |factor|
-// (Frobenius): the flow turns and shrinks mode j by exponents w t and delta t that carry a rounding
-// each, which changes what comes out of it, its two rows, by eps (w + 2 delta) t of themselves in
-// units in which the flow is round; those of velocity_units are within their ratio to w of that.
-double rounding_of_flow(const System& system, const Matrix& factor, double t) {
-  const Eigen::Index n = system.modes();
-  const double slowest = system.forcing()->frequency, size = factor.squaredNorm();
-  double sum = 0.0;
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const double angle = 2.0 * t * (std::max(system.omega[j], slowest) + system.delta()[j]);
-    sum += angle * angle * (factor.row(j).squaredNorm() + factor.row(n + j).squaredNorm());
-  }
-  return size > 0.0 ? std::sqrt(sum / size) : 0.0;
-}
-
-// Displacement of each mode next to those of the others: u^(-1/2), u its velocity unit, rounded to
-// a power of two. A jump of velocity moves all modes alike, b in displacements and b/u in
-// velocities; with units a the impact's largest entry is the larger of max(b/a) max(b^T a) and the
-// same of (b/(a u), b^T a u), which are equal, and smallest, for a = u^(-1/2).
-Vector displacement_units(const Vector& velocity_unit) {
-  return velocity_unit.unaryExpr(
-      [](double u) { return std::ldexp(1.0, -static_cast<int>(std::floor(0.5 * std::ilogb(u)))); });
-}
 
 // The lowest gap of another stop at the instant of an impact that turns the motion back from it
 // too, if below `lowest`: a corner of that gap, and no minimum of any flight. Stops that are
@@ -134,83 +76,6 @@ const OrbitImpact& leading_impact(const Orbit& orbit) {
   return *std::max_element(
       orbit.impacts.begin(), orbit.impacts.end(),
       [](const OrbitImpact& a, const OrbitImpact& b) { return a.speed < b.speed; });
-}
-
-MultiplierCount count_multipliers(const std::vector<Eigenvalue>& multipliers) {
-  MultiplierCount count;
-  for (const Eigenvalue& multiplier : multipliers) {
-    const double excess = std::abs(multiplier.value) - 1.0;
-    if (std::abs(excess) <= multiplier.error)
-      ++count.undecided;
-    else if (!(excess < 0.0))
-      ++count.outside;
-  }
-  return count;
-}
-
-std::optional<bool> stability(const std::vector<Eigenvalue>& multipliers) {
-  const MultiplierCount count = count_multipliers(multipliers);
-  if (count.outside > 0) return false;
-  return count.undecided == 0 && !multipliers.empty() ? std::optional(true) : std::nullopt;
-}
-
-std::vector<Matrix> impact_factors(const System& system, const ImpactPattern& pattern,
-                                   const std::vector<ImpactPoint>& points) {
-  std::vector<Matrix> factors;
-  for (const ImpactSegment& segment : impact_segments(system, pattern, points))
-    factors.push_back(segment.flow.times(segment.saltation));
-  return factors;
-}
-
-Matrix monodromy_matrix(const System& system, const ImpactPattern& pattern,
-                        const std::vector<ImpactPoint>& points) {
-  Matrix product = Matrix::Identity(2 * system.modes(), 2 * system.modes());
-  for (const Matrix& factor : impact_factors(system, pattern, points))
-    product = (factor * product).eval();
-  return product;
-}
-
-std::vector<Eigenvalue> orbit_multipliers(const System& system, const ImpactPattern& pattern,
-                                          const std::vector<ImpactPoint>& points,
-                                          ErrorBounds errors) {
-  const Eigen::Index n = system.modes();
-  const Vector unit = velocity_units(system);
-  if (auto limit = multipliers_at_grazing(system, pattern, points, unit, errors)) return *limit;
-  const Vector size = displacement_units(unit);
-  const auto scaled = [&](Matrix matrix) {
-    matrix.topRows(n).array().colwise() /= size.array();
-    matrix.leftCols(n).array().rowwise() *= size.transpose().array();
-    matrix.bottomRows(n).array().colwise() /= unit.array() * size.array();
-    matrix.rightCols(n).array().rowwise() *= (unit.array() * size.array()).transpose();
-    return matrix;
-  };
-  std::vector<Matrix> factors;
-  double violent = kViolentNorm, uncertainty = 0.0;
-  std::ptrdiff_t most_violent = -1;
-  for (const ImpactSegment& segment : impact_segments(system, pattern, points)) {
-    Matrix factor = scaled(segment.flow.times(segment.saltation));
-    const double violence = factor.norm();
-    uncertainty = std::max(uncertainty, rounding_of_flow(system, factor, segment.duration));
-    if (violence <= kViolentNorm) {
-      factors.push_back(std::move(factor));
-      continue;
-    }
-    if (violence > violent) {
-      violent = violence;
-      most_violent = static_cast<std::ptrdiff_t>(factors.size());
-    }
-    factors.push_back(scaled(segment.saltation));
-    factors.push_back(scaled(segment.flow.times(Matrix::Identity(2 * n, 2 * n))));
-    uncertainty = std::max(uncertainty, rounding_of_flow(system, factors.back(), segment.duration));
-  }
-  // The second factor is the first one to be made triangular, before any change of basis mixes its
-  // columns: those that are large next to grazing stay apart from the others.
-  if (most_violent >= 0) {
-    const auto count = static_cast<std::ptrdiff_t>(factors.size());
-    std::rotate(factors.begin(), factors.begin() + (most_violent + count - 1) % count,
-                factors.end());
-  }
-  return product_eigenvalues(factors, errors, uncertainty);
 }
 
 Admissibility admissibility(const System& system, const ImpactPattern& pattern,

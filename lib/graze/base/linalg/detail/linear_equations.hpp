@@ -18,7 +18,8 @@ class LuFactors {
   Matrix solve_columns(const Matrix& right) const;     // X of A X = right
   Vector solve_transposed(const Vector& right) const;  // x of A^T x = right
   Matrix inverse() const;
-  int determinant_sign() const;  // 1 or -1
+  int determinant_sign() const;     // 1 or -1
+  double determinant_size() const;  // |det A|
   // Estimate of 1/(|A| |A^-1|) in the 1-norm.
   double reciprocal_condition() const;
 
@@ -33,6 +34,7 @@ class ComplexLuFactors {
 
   ComplexVector solve(const ComplexVector& right) const;             // x of A x = right
   ComplexVector solve_transposed(const ComplexVector& right) const;  // x of A^T x = right
+  double log_modulus() const;                                        // log |det A|
 
  private:
   Eigen::PartialPivLU<Eigen::MatrixXcd> factors_;

@@ -28,6 +28,12 @@ struct RowMotion {
   double value = 0.0, rate = 0.0, acceleration = 0.0;
 };
 
+// What impulses have left along the row of each impact just before it, by rows; impulse j by
+// columns. The diagonal is zero: an impact's own impulse is left out.
+struct ImpulseMotions {
+  Matrix value, rate, acceleration;  // k x k, as of RowMotion
+};
+
 class PeriodicResponse {
  public:
   int period() const { return period_; }           // p
@@ -39,6 +45,10 @@ class PeriodicResponse {
   RowMotion forced(int at, double theta) const;
   // G_by along the row of stop `at`, s in (0, P].
   RowMotion impulse(int at, int by, double s) const;
+  // The same between any two of many impacts on these stops at these instants, s in [0, P): what a
+  // mode does from each instant to the next is computed once. Of two at one instant each comes a
+  // whole P after the other.
+  ImpulseMotions impulses(const std::vector<int>& stops, const Vector& instants) const;
 
   // The same as states of the modes.
   State forced_state(double theta) const;

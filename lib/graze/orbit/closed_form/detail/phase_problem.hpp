@@ -80,6 +80,8 @@ class PhaseProblem {
   Vector impulse_slopes(const Vector& speeds) const;
   // Seconds from impact j to impact i, in (0, pT].
   double since(const Vector& phases, Eigen::Index i, Eigen::Index j) const;
+  // Seconds from the first impact of the list to each, in [0, pT).
+  Vector instants(const Vector& phases) const;
 
   const PeriodicResponse* response_;
   std::vector<int> stops_;
