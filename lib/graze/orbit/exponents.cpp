@@ -18,10 +18,12 @@ namespace {
 class StroboscopicMotion {
  public:
   StroboscopicMotion(const System& system, const State& start, const ExponentOptions& options)
-      : system_(system), unit_(2 * system.modes()) {
+      : system_(system),
+        unit_(2 * system.modes()),
+        motion_(system, {}, start.q, start.qdot),
+        at_(motion_.state()) {
     const MotionScale scale = motion_scale(system);
     unit_ << Vector::Constant(system.modes(), scale.displacement), scale.velocity;
-    at_ = Motion<double>(system, {}, start.q, start.qdot).state();
     segment_options_.closure_speed = options.closure_speed;
     segment_options_.max_impacts = options.max_impacts;
     segment_options_.stop = options.stop;
@@ -35,7 +37,8 @@ class StroboscopicMotion {
     Deviations deviations{moved.topRows(n), moved.bottomRows(n),
                           Eigen::RowVectorXd::Zero(directions.cols())};
     at_.instant = {};
-    TrajectorySegment passed = pass(system_, at_, {1, 0.0}, segment_options_, &deviations);
+    motion_.go_on_from(at_);
+    TrajectorySegment passed = pass(system_, motion_, {1, 0.0}, segment_options_, &deviations);
     failure_ = passed.failure;
     if (!failure_.empty()) return {};
     at_ = std::move(passed.end);
@@ -67,7 +70,8 @@ class StroboscopicMotion {
  private:
   const System& system_;
   Vector unit_;  // of (q, q')
-  MotionState<double> at_;
+  Motion<double> motion_;
+  MotionState<double> at_;  // at the start of the period to be carried next
   SegmentOptions segment_options_;
   long long impacts_ = 0;
   Eigen::Index rank_ = 0;

@@ -24,16 +24,17 @@ void note_smallest(std::optional<double>& smallest, const std::optional<double>&
 
 class Follower {
  public:
-  Follower(const System& system, const MotionState<double>& start, const Instant<double>& end,
+  Follower(const System& system, Motion<double>& motion, const Instant<double>& end,
            const SegmentOptions& options, Deviations* deviations, ParameterDeviation* parameter)
       : system_(system),
         end_(end),
         options_(options),
-        motion_(system, start),
+        motion_(motion),
         walk_(system, motion_, options.closure_speed),
         carried_(system, motion_, deviations, parameter),
         contacts_(system.stops.size()) {
     motion_.stop_on(options.stop);
+    const MotionState<double> start = motion.state();
     for (std::size_t i = 0; i < start.contacts.size(); ++i) {
       if (start.contacts[i] == Contact::kClosed)
         open_sticking(static_cast<int>(i), start.instant, true);
@@ -314,7 +315,7 @@ class Follower {
   const System& system_;
   const Instant<double> end_;
   const SegmentOptions& options_;
-  Motion<double> motion_;
+  Motion<double>& motion_;
   MotionWalk<double> walk_;
   CarriedDeviations carried_;
   std::vector<SegmentSticking> holding_;
@@ -331,7 +332,14 @@ class Follower {
 TrajectorySegment pass(const System& system, const MotionState<double>& start,
                        const Instant<double>& end, const SegmentOptions& options,
                        Deviations* deviations, ParameterDeviation* parameter) {
-  return Follower(system, start, end, options, deviations, parameter).follow();
+  Motion<double> motion(system, start);
+  return pass(system, motion, end, options, deviations, parameter);
+}
+
+TrajectorySegment pass(const System& system, Motion<double>& motion, const Instant<double>& end,
+                       const SegmentOptions& options, Deviations* deviations,
+                       ParameterDeviation* parameter) {
+  return Follower(system, motion, end, options, deviations, parameter).follow();
 }
 
 }  // namespace graze

@@ -77,9 +77,6 @@ Real parabola_step(const Real& value, const Real& slope, const Real& bound) {
   return (value / -slope) * (2 / (1 + sqrt(inside)));
 }
 
-// A third one would take longer than the evaluations that it saves.
-inline constexpr int kStretches = 2;
-
 // The same with a bound on the third derivative, g >= g0 + g0' s + g0'' s^2/2 - third s^3/6: up to
 // any h that is above a parabola with the bound third h/3 - g0''. Of a few h, from `first` on, the
 // best.
@@ -87,13 +84,12 @@ template <class Real>
 Real cubic_step(const Real& value, const Real& slope, const Real& curvature, const Real& third,
                 const Real& first) {
   using std::sqrt;
-  // From zero itself only upwards.
-  if (!(value > 0) && !(value == 0 && slope > 0)) return 0;
+  if (!(value > 0)) return 0;
   if (third == 0) return parabola_step(value, slope, Real(-curvature));
   const Real rise = third / 3;
   Real h = first, best = 0;
   // Each is certain; around the longest one the two run towards each other.
-  for (int i = 0; i < kStretches; ++i) {
+  for (int i = 0; i < 3; ++i) {
     const Real step = parabola_step(value, slope, Real(rise * h - curvature));
     if (!(step >= 0)) return best;
     best = std::max(best, std::min(h, step));
@@ -173,10 +169,8 @@ template <class Real>
 Real departure_step(const ArcCurve<Real>& curve, int multiplicity) {
   const CurvePoint<Real> start = curve.at(Real(0), multiplicity - 1);
   if (!(start.slope > 0)) return -1;
-  if (!(start.bound > 0)) return std::numeric_limits<Real>::infinity();
-  const Real step = (multiplicity + 1) * (start.slope / start.bound);
-  if (multiplicity > 1) return step;
-  return std::max(step, cubic_step(Real(0), start.slope, start.curvature, start.third, 2 * step));
+  return start.bound > 0 ? Real((multiplicity + 1) * (start.slope / start.bound))
+                         : std::numeric_limits<Real>::infinity();
 }
 
 template <class Real, class Sample>

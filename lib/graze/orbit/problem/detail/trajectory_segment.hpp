@@ -114,5 +114,9 @@ struct TrajectorySegment {
 TrajectorySegment pass(const System& system, const MotionState<double>& start,
                        const Instant<double>& end, const SegmentOptions& options,
                        Deviations* deviations = nullptr, ParameterDeviation* parameter = nullptr);
+// The same from where the motion is, which keeps what it knows of its stops.
+TrajectorySegment pass(const System& system, Motion<double>& motion, const Instant<double>& end,
+                       const SegmentOptions& options, Deviations* deviations = nullptr,
+                       ParameterDeviation* parameter = nullptr);
 
 }  // namespace graze
