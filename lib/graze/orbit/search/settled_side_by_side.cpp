@@ -19,7 +19,7 @@ class SideBySide {
 
   void finish() {
     empty_ = (LaneSet{1} << kLanes) - 1;
-    refill();
+    refill_empty();
     while (motions_ && !motions_->is_idle()) {
       const LaneArrivals arrivals = motions_->fly();
       for_each(arrivals.contacts, [&](std::size_t lane) { receive_impact(lane); });
@@ -42,7 +42,7 @@ class SideBySide {
   }
 
   // What there was no task for at first may find one later.
-  void refill() {
+  void refill_empty() {
     while (empty_ != 0 && refill(static_cast<std::size_t>(std::countr_zero(empty_))))
       empty_ &= empty_ - 1;
   }
@@ -145,8 +145,11 @@ class SideBySide {
   void conclude(std::size_t lane) {
     motions_->drop(lane);
     tasks_.take(lane, places_[lane].settling->result());
-    empty_ |= LaneSet{1} << lane;
-    refill();
+    // What follows on it has to go on in its own place.
+    if (refill(lane))
+      refill_empty();
+    else
+      empty_ |= LaneSet{1} << lane;
   }
 
   // Evaluations of a flight, about; for the stop signal.
