@@ -1,6 +1,7 @@
 // Motions flown side by side in lanes are those that are followed one by one: the same impacts at
 // the same stops, at the same phases and speeds to the rounding that the motion itself lets grow.
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -169,6 +170,15 @@ TEST(SideBySide, IsTheMotionThatIsFollowedAlone) {
   EXPECT_GT(compared.impacts, 8000);
 }
 
+void expect_equal(const SettledMotion& a, const SettledMotion& b) {
+  EXPECT_EQ(a.classification, b.classification);
+  ASSERT_EQ(a.period_states.size(), b.period_states.size());
+  for (std::size_t n = 0; n < a.period_states.size(); ++n) {
+    EXPECT_TRUE((a.period_states[n].q.array() == b.period_states[n].q.array()).all());
+    EXPECT_TRUE((a.period_states[n].qdot.array() == b.period_states[n].qdot.array()).all());
+  }
+}
+
 // Whoever flies beside it, and in whichever lane.
 TEST(SideBySide, DoesNotFeelItsNeighbours) {
   std::mt19937_64 random(7);
@@ -184,14 +194,32 @@ TEST(SideBySide, DoesNotFeelItsNeighbours) {
     const std::deque<Cell> one{cells[i]};
     Cells alone(one, options);
     settle_side_by_side(alone);
-    const SettledMotion &a = alone.motions[0], &b = together.motions[i];
-    ASSERT_EQ(a.period_states.size(), b.period_states.size());
-    for (std::size_t n = 0; n < a.period_states.size(); ++n) {
-      EXPECT_TRUE((a.period_states[n].q.array() == b.period_states[n].q.array()).all()) << i;
-      EXPECT_TRUE((a.period_states[n].qdot.array() == b.period_states[n].qdot.array()).all()) << i;
-    }
-    EXPECT_EQ(a.classification, b.classification);
+    expect_equal(alone.motions[0], together.motions[i]);
   }
+}
+
+// By vectors of eight numbers or of four; both have fused multiply-add. Others differ in the last
+// digit.
+TEST(SideBySide, IsTheSameInShorterVectors) {
+  if ((hwy::SupportedTargets() & HWY_AVX3) == 0) GTEST_SKIP() << "there are no longer vectors";
+  std::mt19937_64 random(11);
+  std::deque<Cell> cells;
+  while (cells.size() < 300) {
+    Cell cell = random_cell(random);
+    if (cell.system.modes() == 2 && cell.system.stops.size() == 2) cells.push_back(cell);
+  }
+  const SettleOptions options = whole_run(20);
+  Cells longest(cells, options), shorter(cells, options);
+  settle_side_by_side(longest);
+  const auto choose = [](std::int64_t disabled) {
+    hwy::DisableTargets(disabled);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  };
+  choose(HWY_AVX3 | HWY_AVX3_DL);
+  settle_side_by_side(shorter);
+  choose(0);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    expect_equal(longest.motions[i], shorter.motions[i]);
 }
 
 }  // namespace
