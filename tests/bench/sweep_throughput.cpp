@@ -130,10 +130,10 @@ std::vector<double> reference(const System& system) {
 }
 
 // The largest error of an impact time, s within its period, over some cells that repeat.
-void check(int modes) {
+bool check(int modes) {
   constexpr std::size_t kChecked = 12;
   double largest = 0.0;
-  std::size_t told = 0, impacts = 0;
+  std::size_t told = 0, impacts = 0, others = 0;
   for (std::size_t i = 0; told < kChecked && i < kColumns * kRows; i += 97) {
     const System system = system_at(modes, i);
     const State rest{Vector::Zero(modes), Vector::Zero(modes)};
@@ -144,7 +144,7 @@ void check(int modes) {
     if (repeats.period == 0 || motion.impacts.empty()) continue;
     const std::vector<double> exact = reference(system);
     if (exact.size() != motion.impacts.size()) {
-      fmt::print("cell {}: {} impacts, {} in 50 digits\n", i, motion.impacts.size(), exact.size());
+      ++others;
       continue;
     }
     for (std::size_t k = 0; k < exact.size(); ++k)
@@ -153,8 +153,11 @@ void check(int modes) {
     ++told;
     impacts += exact.size();
   }
-  fmt::print("{} mode(s), {} impacts of {} cells: largest error of an impact time {:.2g} s\n",
-             modes, impacts, told, largest);
+  fmt::print(
+      "{} mode(s), {} impacts of {} cells: largest error of an impact time {:.2g} s; with another "
+      "number of impacts: {}\n",
+      modes, impacts, told, largest, others);
+  return others == 0;
 }
 
 }  // namespace
@@ -169,7 +172,7 @@ int main(int argc, char** argv) {
     else if (std::strcmp(argv[i], "--cells") == 0 && i + 1 < argc)
       cells = static_cast<std::size_t>(std::atol(argv[++i]));
     else if (std::strcmp(argv[i], "--avx2") == 0)
-      hwy::DisableTargets(HWY_AVX3 | HWY_AVX3_DL);
+      hwy::DisableTargets((std::int64_t{HWY_AVX3} << 1) - 1);
     else if (std::strcmp(argv[i], "--check") == 0)
       checks = true;
     else
@@ -178,8 +181,8 @@ int main(int argc, char** argv) {
              2;
   }
   if (checks) {
-    for (const int modes : {1, 4}) check(modes);
-    return 0;
+    const bool one = check(1), four = check(4);
+    return one && four ? 0 : 1;
   }
   fmt::print("{:>6} {:13} {:>12} {:>14} {:>14}   {} thread(s)\n", "modes", "", "returns",
              "returns/s", "impacts/s", threads);

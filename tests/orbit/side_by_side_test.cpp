@@ -179,6 +179,70 @@ void expect_equal(const SettledMotion& a, const SettledMotion& b) {
   }
 }
 
+// Squares of these leave the range of the numbers.
+TEST(SideBySide, MissesNoImpactWhereSquaresUnderflow) {
+  for (const double scale : {1e-170, 1e-155, 1e150}) {
+    std::mt19937_64 random(3);
+    std::deque<Cell> cells;
+    while (cells.size() < 60) {
+      Cell cell = random_cell(random);
+      if (cell.system.modes() != 2 || cell.system.stops.size() != 2) continue;
+      cell.system.modal().forcing->amplitude *= scale;
+      if (cell.system.load()) *cell.system.modal().load *= scale;
+      for (Stop& stop : cell.system.stops) stop.gap *= scale;
+      cell.start.qdot *= scale;
+      cells.push_back(cell);
+    }
+    const SettleOptions options = whole_run(2);
+    Cells tasks(cells, options);
+    settle_side_by_side(tasks);
+    Compared compared;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      compare(cells[i], settle(cells[i].system, cells[i].start, options), tasks.motions[i],
+              compared);
+    EXPECT_GT(compared.told, 20) << scale;
+    EXPECT_GT(compared.impacts, 20) << scale;
+  }
+}
+
+// Tasks that follow each other in their places: more chains than lanes, of any length.
+class Chains : public SettleTasks {
+ public:
+  explicit Chains(const Cell& cell) : cell_(cell), at_(kLanes) {
+    for (std::size_t i = 0; i < 40; ++i) left_.push_back(1 + i * 7 % 6);
+    taken = std::vector<std::size_t>(left_.size(), 0);
+  }
+  std::optional<SettleTask> next(std::size_t place) override {
+    std::optional<std::size_t>& chain = at_[place];
+    if (chain && left_[*chain] == 0) chain.reset();
+    if (!chain && begun_ < left_.size()) chain = begun_++;
+    if (!chain) return {};
+    --left_[*chain];
+    return SettleTask{&cell_.system, cell_.start,
+                      whole_run(1 + static_cast<long long>(*chain) % 3)};
+  }
+  void take(std::size_t place, SettledMotion) override { ++taken[*at_[place]]; }
+  std::size_t left() const { return left_.size() - begun_; }
+
+  std::vector<std::size_t> taken;
+
+ private:
+  const Cell& cell_;
+  std::vector<std::optional<std::size_t>> at_;
+  std::vector<std::size_t> left_;
+  std::size_t begun_ = 0;
+};
+
+TEST(SideBySide, FinishesEveryChain) {
+  std::mt19937_64 random(5);
+  Cell cell = random_cell(random);
+  while (!has_lane(cell.system, ExactFlow<double>(cell.system))) cell = random_cell(random);
+  Chains chains(cell);
+  settle_side_by_side(chains);
+  EXPECT_EQ(chains.left(), 0u);
+  for (std::size_t i = 0; i < chains.taken.size(); ++i) EXPECT_EQ(chains.taken[i], 1 + i * 7 % 6);
+}
+
 // Whoever flies beside it, and in whichever lane.
 TEST(SideBySide, DoesNotFeelItsNeighbours) {
   std::mt19937_64 random(7);
@@ -215,7 +279,9 @@ TEST(SideBySide, IsTheSameInShorterVectors) {
     hwy::DisableTargets(disabled);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
   };
-  choose(HWY_AVX3 | HWY_AVX3_DL);
+  constexpr std::int64_t kLong = (std::int64_t{HWY_AVX3} << 1) - 1;  // and whatever is longer
+  choose(kLong);
+  EXPECT_EQ(hwy::SupportedTargets() & kLong, 0);
   settle_side_by_side(shorter);
   choose(0);
   for (std::size_t i = 0; i < cells.size(); ++i)

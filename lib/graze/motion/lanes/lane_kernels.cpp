@@ -105,7 +105,7 @@ HWY_INLINE void finish_step(const LaneVector& lanes, Chosen chosen, Chosen begin
   const Numbers newton = hn::Neg(hn::Mul(value, per_slope));
   const Numbers bend = hn::Mul(hn::Mul(curvature, per_slope), number(0.5));
   const Numbers step = hn::Div(newton, hn::MulAdd(newton, bend, one)), length = hn::Abs(step);
-  const Numbers next = hn::Add(s, step);
+  const Numbers next = hn::Max(hn::Add(s, step), number(0.0));  // not before the flight
   const Chosen moves = hn::And(hn::Lt(hn::Mul(two, length), hn::Abs(before)), hn::Ne(next, s));
   const Numbers bends =
       hn::MulAdd(third, hn::Mul(hn::Abs(per_slope), number(1.0 / 6.0)), hn::Mul(bend, bend));

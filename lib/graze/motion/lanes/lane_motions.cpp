@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "graze/contact/detail/impulse.hpp"
 #include "graze/flow/exact/detail/term_kernels.hpp"
 #include "graze/system/scale.hpp"
 
@@ -67,6 +68,8 @@ void LaneMotions::adopt(std::size_t lane, const System& system, const ExactFlow<
     const Stop& stop = system.stops[i];
     set(stop.gap, LaneStopRow::kGap, i);
     set(stop.restitution().at(0.0), LaneStopRow::kRestitution, i);
+    const bool is_normal = stop.direction() == momentum_direction(stop.row);
+    set(is_normal ? stop.row.squaredNorm() : 1.0, LaneStopRow::kNorm, i);
     double re = 0.0, im = 0.0;
     for (std::size_t j = 0; j < columns_.modes(); ++j) {
       const ModeFlow<double>& mode = flow.mode(static_cast<int>(j));
@@ -74,7 +77,8 @@ void LaneMotions::adopt(std::size_t lane, const System& system, const ExactFlow<
       re -= row * mode.forced.re;
       im -= row * mode.forced.im;
       set(row, LanePairRow::kRow, i, j);
-      set(stop.direction()[static_cast<Eigen::Index>(j)], LanePairRow::kDirection, i, j);
+      set(is_normal ? row : stop.direction()[static_cast<Eigen::Index>(j)], LanePairRow::kDirection,
+          i, j);
       const double apart =
           std::abs(mode.forced.re) + std::abs(mode.forced.im) + std::abs(mode.offset);
       set(std::abs(row) * apart * (1.0 + (frequency + mode.first) / mode.second),

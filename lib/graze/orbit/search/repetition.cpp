@@ -52,10 +52,7 @@ void PeriodHistory::add_impact(const MetImpact& impact, const Vector& q, const V
 
 void PeriodHistory::end_period(const Vector& q, const Vector& qdot, Contacts contacts) {
   Period period{counted_, static_cast<int>(impacts_.end() - counted_), contacts};
-  if (period.impacts > 0) {
-    period.phase = impacts_[counted_].phase;
-    period.speed = impacts_[counted_].speed;
-  }
+  first_phases_.push(period.impacts > 0 ? impacts_[counted_].phase : 0.0);
   if (periods() > 0) period.counts = periods_[periods() - 1].counts << 8;
   period.counts |= static_cast<std::uint64_t>(std::min(period.impacts, 255));
   periods_.push(period);
@@ -64,6 +61,7 @@ void PeriodHistory::end_period(const Vector& q, const Vector& qdot, Contacts con
   const long long oldest = periods() - most_;
   if (oldest <= periods_.begin()) return;
   periods_.forget_before(oldest);
+  first_phases_.forget_before(oldest);
   period_states_.forget_before(2 * modes_ * oldest);
   impacts_.forget_before(periods_[oldest].first);
   before_.forget_before(2 * modes_ * periods_[oldest].first);
@@ -140,15 +138,17 @@ double PeriodHistory::state_difference(long long period, int p) const {
 int PeriodHistory::repetition(int longest, int repetitions, double tolerance) const {
   const long long most = std::min<long long>(longest, (periods() - oldest()) / repetitions);
   if (most <= 0) return 0;
-  const Period& now = periods_[periods() - 1];
+  const long long last = periods() - 1;
+  const Period& now = periods_[last];
+  const double phase = first_phases_[last];
+  // Two speeds leave less rounding than the one that is known.
+  const double apart = now.impacts > 0
+                           ? std::max(tolerance, impact_rounding(impacts_[now.first].speed, speed_))
+                           : tolerance;
   for (int p = 1; p <= static_cast<int>(most); ++p) {
-    const Period& then = periods_[periods() - 1 - p];
+    if (std::abs(first_phases_[last - p] - phase) > apart) continue;
     const int compared = std::min((repetitions - 1) * p, 8);
-    if ((now.counts ^ then.counts) << (64 - 8 * compared) != 0) continue;
-    const double difference = std::abs(now.phase - then.phase);
-    if (difference > tolerance &&
-        difference > impact_rounding(std::abs(now.speed) + std::abs(then.speed), speed_))
-      continue;
+    if ((now.counts ^ periods_[last - p].counts) << (64 - 8 * compared) != 0) continue;
     if (repeats(p, repetitions, tolerance)) return p;
   }
   return 0;

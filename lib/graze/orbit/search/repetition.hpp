@@ -94,7 +94,6 @@ class PeriodHistory {
     long long first = 0;  // impact
     int impacts = 0;
     Contacts contacts;
-    double phase = 0.0, speed = 0.0;  // of that impact
     // How many impacts this period and those before it have, a byte each, the last one lowest; 255
     // stands for more.
     std::uint64_t counts = 0;
@@ -115,6 +114,7 @@ class PeriodHistory {
   double speed_;  // scale of impact speeds, m/s
   long long most_;
   Tail<Period> periods_;
+  Tail<double> first_phases_;  // of the first impact of each period; 0 where there is none
   Tail<MetImpact> impacts_;
   Tail<double> before_;         // 2N numbers an impact
   Tail<double> period_states_;  // 2N numbers a period and one more: at its start

@@ -49,9 +49,14 @@ void OtherRank::work_here(const BlockWork& work) {
     const Clock::time_point begun = std::exchange(last, Clock::now());
     note_done(block, is_finished, std::chrono::duration<double>(last - begun).count());
   };
+  const auto next = [&](bool waits) {
+    const std::optional<std::size_t> block = next_block(waits);
+    if (waits) last = Clock::now();  // what it waited for is no work
+    return block;
+  };
   try {
     work.run(
-        {[this](bool waits) { return next_block(waits); }, done,
+        {next, done,
          even_part(work.blocks.size(), static_cast<std::size_t>(messages_.ranks() * threads_))});
   } catch (const InputError& error) {
     fail(error.what(), 2);

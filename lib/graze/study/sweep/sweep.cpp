@@ -127,6 +127,7 @@ class Sweeper {
   // on, until one of them settles on what the block had found.
   RowChain joint_chain(const char* what, std::size_t first, std::size_t block, Joint& made) {
     const std::size_t end_row = std::min(first + block, rows_.size());
+    made = {};
     made.rows.reserve(end_row - first);
     std::optional<SweepRow> recalled_before, recalled_there;
     for (std::size_t k = first; k < end_row && !made.is_finished; ++k) {

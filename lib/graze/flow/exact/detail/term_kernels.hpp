@@ -7,14 +7,9 @@
 
 #include <cstddef>
 
+#include "graze/flow/exact/detail/vector_columns.hpp"
+
 namespace graze {
-
-// The longest vector in use, in doubles.
-inline constexpr std::size_t kColumnStep = 8;
-
-inline constexpr std::size_t column_length(std::size_t count) {
-  return (count + kColumnStep - 1) / kColumnStep * kColumnStep;
-}
 
 // Up to here, in rad, half angles are reduced by multiples of pi/2 that are exact products; beyond,
 // the standard library does it.

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "graze/flow/exact/detail/term_kernels.hpp"
+#include "graze/flow/exact/detail/vector_columns.hpp"
 
 #if defined(GRAZE_FLOW_EXACT_DETAIL_TURNS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef GRAZE_FLOW_EXACT_DETAIL_TURNS_INL_HPP

@@ -160,12 +160,14 @@ HWY_INLINE Chosen hit_stops(const LaneVector& lanes, Chosen contact) {
     push = hn::Max(push, sizes.push);
   }
   const Numbers target = hn::Neg(hn::Mul(of_hit(lanes, LaneStopRow::kRestitution, hit), speed));
+  const Numbers norm = of_hit(lanes, LaneStopRow::kNorm, hit);
   // Twice, as in Motion::impact_alone.
   for (int pass = 0; pass < 2; ++pass) {
     Numbers impulse = hn::Neg(target);
     for (std::size_t j = 0; j < c.modes(); ++j)
       impulse = hn::MulAdd(of_hit(lanes, LanePairRow::kRow, hit, j),
                            lanes.get(LaneModeRow::kAfterRate, j), impulse);
+    impulse = hn::Div(impulse, norm);
     for (std::size_t j = 0; j < c.modes(); ++j)
       lanes.keep(c.row(LaneModeRow::kAfterRate, j), contact,
                  hn::NegMulAdd(impulse, of_hit(lanes, LanePairRow::kDirection, hit, j),

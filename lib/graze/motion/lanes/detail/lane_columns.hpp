@@ -2,9 +2,9 @@
 // row holds one number of every lane.
 #pragma once
 
-#include <hwy/aligned_allocator.h>
-
 #include <cstddef>
+#include <memory>
+#include <new>
 
 namespace graze {
 
@@ -74,6 +74,7 @@ enum class LaneModeRow {
 enum class LaneStopRow {
   kGap,
   kRestitution,
+  kNorm,        // what an impulse is divided by: |b|^2 where it acts along the row, else 1
   kHarmonicRe,  // of the gap: weight of e^{i theta}
   kHarmonicIm,
   kHarmonicSize,
@@ -99,7 +100,7 @@ enum class LaneStopRow {
 // Of a stop and a mode.
 enum class LanePairRow {
   kRow,         // b
-  kDirection,   // d
+  kDirection,   // d; b where it is b/|b|^2, so that rounding errs to no side
   kFormedFrom,  // see ArcCurve
   kFall,        // from here to the lowest that it can get
   kSlowSlope,   // sums over the forcing and the modes up to this one
@@ -113,9 +114,7 @@ class LaneColumns {
   LaneColumns(int modes, int stops)
       : modes_(static_cast<std::size_t>(modes)),
         stops_(static_cast<std::size_t>(stops)),
-        numbers_(hwy::AllocateAligned<double>(length())) {
-    for (std::size_t i = 0; i < length(); ++i) numbers_[i] = 0.0;
-  }
+        numbers_(new (std::align_val_t{kAlignment}) double[length()]()) {}
 
   std::size_t modes() const { return modes_; }
   std::size_t stops() const { return stops_; }
@@ -133,6 +132,12 @@ class LaneColumns {
   }
 
  private:
+  static constexpr std::size_t kAlignment = 64;  // bytes, of the longest vector
+  struct Free {
+    void operator()(double* numbers) const {
+      ::operator delete[](numbers, std::align_val_t{kAlignment});
+    }
+  };
   static constexpr std::size_t kOwn = static_cast<std::size_t>(LaneRow::kCount),
                                kOfMode = static_cast<std::size_t>(LaneModeRow::kCount),
                                kOfStop = static_cast<std::size_t>(LaneStopRow::kCount),
@@ -143,7 +148,7 @@ class LaneColumns {
   double* at(std::size_t row) const { return numbers_.get() + kLanes * row; }
 
   std::size_t modes_, stops_;
-  hwy::AlignedFreeUniquePtr<double[]> numbers_;
+  std::unique_ptr<double[], Free> numbers_;
 };
 
 }  // namespace graze

@@ -1,6 +1,6 @@
 // The vector kernel of motions flown side by side (Google's Highway; the widest unit of the
-// processor, chosen at run time). A lane does the same operations whatever the width of the vectors
-// and whatever the other lanes do.
+// processor, chosen at run time). A lane does the same operations whatever the other lanes do, and
+// whatever the width of the vectors, where they have fused multiply-add.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
-// The search for the first contact, one evaluation of all gaps at a time, of a vector of lanes: the
-// same steps as in first_zero.hpp. To be included after <hwy/foreach_target.h>.
+// The search for the first contact, one evaluation of all gaps at a time, of a vector of lanes:
+// steps by the same kind of bounds as in first_zero.hpp. To be included after
+// <hwy/foreach_target.h>.
 #include <hwy/highway.h>
 
 #include <limits>
@@ -144,17 +145,21 @@ HWY_INLINE void find_point(const LaneVector& lanes, std::size_t i) {
                                                        lanes.get(LaneStopRow::kStartNoise, i)));
 }
 
-// As parabola_step() of first_zero.hpp; infinite where nothing ends it, not a number where that is
-// so of what it is given.
+// As parabola_step() of first_zero.hpp; infinite where nothing ends it. Nothing, so that the lane
+// leaves, where squares are out of the range of the numbers.
 HWY_INLINE Numbers parabola_step(Numbers value, Numbers slope, Numbers bound) {
   const Numbers zero = number(0.0);
-  const Numbers whole = hn::MulAdd(slope, slope, hn::Mul(hn::Add(value, value), bound));
+  const Numbers square = hn::Mul(slope, slope), twice = hn::Mul(hn::Add(value, value), bound);
+  const Numbers whole = hn::Add(square, twice);
   const Numbers root = hn::Sqrt(hn::Max(whole, zero));
   const Chosen falls = hn::Lt(slope, zero);
   const Numbers above = hn::IfThenElse(falls, hn::Add(value, value), hn::Add(slope, root));
   const Numbers below = hn::IfThenElse(falls, hn::Sub(root, slope), bound);
   const Chosen never = hn::Or(hn::Lt(whole, zero), hn::AndNot(falls, hn::Le(bound, zero)));
-  return hn::IfThenElse(never, unbounded(), hn::Div(above, below));
+  const Numbers least = number(std::numeric_limits<double>::min());
+  const Chosen in_range = hn::And(hn::Or(hn::Gt(square, least), hn::Gt(hn::Abs(twice), least)),
+                                  hn::Lt(hn::Abs(whole), unbounded()));
+  return hn::IfThenElseZero(in_range, hn::IfThenElse(never, unbounded(), hn::Div(above, below)));
 }
 
 // Derivatives of a gap by its slow terms alone, and a bound on the third.
@@ -171,7 +176,7 @@ HWY_INLINE SlowTerms forced_terms(const LaneVector& lanes, std::size_t i) {
           lanes.get(LaneStopRow::kForcedThird, i)};
 }
 
-// As cubic_step() there.
+// As cubic_step() there, and also from a stop that is left.
 HWY_INLINE Numbers cubic_step(Numbers clear, const SlowTerms& slow, Numbers first) {
   const Numbers rise = hn::Mul(slow.third, number(1.0 / 3.0));
   Numbers h = first, best = number(0.0);
@@ -208,7 +213,8 @@ HWY_INLINE Numbers clear_step(const LaneVector& lanes, std::size_t i, Numbers cl
   const Numbers whole = parabola_step(clear, slope, lanes.get(LaneStopRow::kBound, i));
   const Numbers told = cubic_step(hn::Sub(clear, fall), slow, hn::Add(whole, whole));
   const Chosen ends = hn::Lt(whole, unbounded());
-  return hn::IfThenElse(ends, hn::Max(whole, told), whole);
+  const Numbers step = hn::IfThenElse(ends, hn::Max(whole, told), whole);
+  return hn::IfThenElseZero(hn::Ge(step, number(0.0)), step);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -10,7 +10,7 @@
 #include "graze/flow/exact/detail/exact_flow.hpp"
 #include "graze/motion/detail/clearance.hpp"
 #include "graze/orbit/search/detail/nearby_orbit.hpp"
-#include "graze/orbit/search/settled.hpp"
+#include "graze/orbit/search/settled_motion.hpp"
 
 namespace graze {
 
