@@ -195,7 +195,13 @@ struct CompareCommand : MotionOptions, RangeOptions, SecondRangeOptions {
   JournalOptions journal;
 };
 
-using Command = std::variant<CheckCommand, ModesCommand, SimulateCommand, OrbitCommand,
+// A scene to begin with.
+struct InitCommand : CommonOptions {
+  std::string kind = "beam";  // beam | oscillator | matrices | hub
+  std::string file;           // empty: onto stdout
+};
+
+using Command = std::variant<InitCommand, CheckCommand, ModesCommand, SimulateCommand, OrbitCommand,
                              ContinueCommand, DiagramCommand, MapCommand, MergeCommand, ViewCommand,
                              CostCommand, FitCommand, CompareCommand>;
 

@@ -7,16 +7,10 @@
 #include <vector>
 
 #include "graze/report/text/text.hpp"
+#include "usage_errors.hpp"
 
 namespace graze {
 namespace {
-
-// The words that an option takes, of a type "WHAT:{impact,stroboscopic}".
-std::vector<std::string> choices_of(const std::string& type) {
-  const std::size_t begin = type.find(":{");
-  if (begin == std::string::npos) return {};
-  return CLI::detail::split(type.substr(begin + 2, type.rfind('}') - begin - 2), ',');
-}
 
 // As lines that are at most so wide; what goes on is not indented, which is done where it is shown.
 std::string lines_of(const std::string& text, std::size_t width) {
@@ -48,15 +42,12 @@ std::string HelpFormat::make_subcommand(const CLI::App* app) const {
 }
 
 std::string HelpFormat::make_option_opts(const CLI::Option* option) const {
-  if (option->get_type_size() == 0) return "";
-  const std::string type = option->get_type_name();
-  // A positional is named by its name.
-  return option->get_positional() ? "" : " " + type.substr(0, type.find(":{"));
+  return with_placeholder(*option).substr(option->get_name().size());
 }
 
 std::string HelpFormat::make_option_desc(const CLI::Option* option) const {
   std::string text = option->get_description();
-  const std::vector<std::string> choices = choices_of(option->get_type_name());
+  const std::vector<std::string> choices = choices_of(*option);
   const bool told = std::all_of(choices.begin(), choices.end(), [&](const std::string& choice) {
     return text.find(choice) != std::string::npos;
   });
