@@ -36,6 +36,12 @@ void add_check(CLI::App& graze, std::optional<Command>& parsed) {
   app->footer(footer("check data/scenes/02_wagg_momentum.toml --set beam.modes=8"));
   add_shared(app, command);
   add_picture(app, command, kFeatures<CheckRecord>);
+  begin_group(app, kOutputGroup);
+  CLI::Option* list =
+      app->add_flag("--parameters", command.parameters,
+                    "List what --parameter may name, with values and units, and nothing else");
+  for (const char* of_results : {"--json", "--out", "--plot"})
+    list->excludes(app->get_option(of_results));
 }
 
 void add_modes(CLI::App& graze, std::optional<Command>& parsed) {

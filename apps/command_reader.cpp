@@ -109,16 +109,44 @@ Command CommandReader::read(const std::vector<std::string>& words) {
   return *parser_->parsed;
 }
 
+namespace {
+
+CommandReader::Option told(const CLI::Option& option) {
+  CommandReader::Option told;
+  told.name = option.get_name(option.get_positional());
+  if (!option.get_positional()) told.name.erase(0, 2);
+  told.what = option.get_description();
+  told.default_value = option.get_default_str();
+  told.is_flag = option.get_expected_max() == 0;
+  told.takes_several = option.get_expected_max() > 1;
+  if (!option.get_snames().empty()) told.short_name = option.get_snames().front();
+  const std::string shown = with_placeholder(option);
+  if (const std::size_t blank = shown.find(' '); blank != std::string::npos)
+    told.placeholder = shown.substr(blank + 1);
+  told.choices = choices_of(option);
+  told.heading = option.get_group();
+  told.help = help_line(option);
+  told.is_required = option.get_required();
+  return told;
+}
+
+}  // namespace
+
 std::vector<CommandReader::Option> CommandReader::options(const std::string& command) const {
-  std::vector<Option> list;
+  for (const Description& known : descriptions())
+    if (known.name == command) return known.options;
+  return {};
+}
+
+std::vector<CommandReader::Description> CommandReader::descriptions() const {
+  std::vector<Description> list;
   for (const CLI::App* app : parser_->app.get_subcommands({})) {
-    if (app->get_name() != command) continue;
-    for (const CLI::Option* option : app->get_options()) {
-      if (option->get_positional() || option == app->get_help_ptr()) continue;
-      list.push_back({option->get_name().substr(2), option->get_description(),
-                      option->get_default_str(), option->get_expected_max() == 0,
-                      option->get_expected_max() > 1});
-    }
+    Description command{
+        app->get_name(), app->get_description(), example_in(app->get_footer()), {}, {}};
+    for (const CLI::Option* option : app->get_options())
+      if (option != app->get_help_ptr())
+        (option->get_positional() ? command.files : command.options).push_back(told(*option));
+    list.push_back(std::move(command));
   }
   return list;
 }

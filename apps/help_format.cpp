@@ -22,6 +22,26 @@ std::string lines_of(const std::string& text, std::size_t width) {
 
 }  // namespace
 
+std::string help_line(const CLI::Option& option) {
+  std::string text = option.get_description();
+  const std::vector<std::string> choices = choices_of(option);
+  const bool told = std::all_of(choices.begin(), choices.end(), [&](const std::string& choice) {
+    return text.find(choice) != std::string::npos;
+  });
+  if (!told) text += fmt::format(" (one of {})", fmt::join(choices, ", "));
+  const std::string standard = option.get_default_str();
+  if (!standard.empty() && text.find("default") == std::string::npos)
+    text += fmt::format(" (default: {})", standard);
+  if (option.get_required()) text += " (required)";
+  if (!option.get_excludes().empty()) {
+    std::vector<std::string> others;
+    for (const CLI::Option* other : option.get_excludes()) others.push_back(other->get_name());
+    std::sort(others.begin(), others.end());
+    text += fmt::format("; not with {}", fmt::join(others, ", "));
+  }
+  return text;
+}
+
 std::string HelpFormat::make_description(const CLI::App* app) const {
   return fitted_lines(app->get_description(), {}) + "\n";
 }
@@ -46,23 +66,7 @@ std::string HelpFormat::make_option_opts(const CLI::Option* option) const {
 }
 
 std::string HelpFormat::make_option_desc(const CLI::Option* option) const {
-  std::string text = option->get_description();
-  const std::vector<std::string> choices = choices_of(*option);
-  const bool told = std::all_of(choices.begin(), choices.end(), [&](const std::string& choice) {
-    return text.find(choice) != std::string::npos;
-  });
-  if (!told) text += fmt::format(" (one of {})", fmt::join(choices, ", "));
-  const std::string standard = option->get_default_str();
-  if (!standard.empty() && text.find("default") == std::string::npos)
-    text += fmt::format(" (default: {})", standard);
-  if (option->get_required()) text += " (required)";
-  if (!option->get_excludes().empty()) {
-    std::vector<std::string> others;
-    for (const CLI::Option* other : option->get_excludes()) others.push_back(other->get_name());
-    std::sort(others.begin(), others.end());
-    text += fmt::format("; not with {}", fmt::join(others, ", "));
-  }
-  return lines_of(text, TextOptions{}.width - column_width_);
+  return lines_of(help_line(*option), TextOptions{}.width - column_width_);
 }
 
 }  // namespace graze

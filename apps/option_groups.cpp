@@ -15,14 +15,21 @@ constexpr const char* kClosureSpeed =
     "Speed below which the rest of a chatter is summed, m/s (default: sqrt(solver.tolerance/100) "
     "of the motion's speed; graze check prints it)";
 
+const std::string kExample = "Example: graze ";
+const std::string kExitCodes =
+    "\nExit codes: 0 done; 2 usage or scene error; 3 numerics could not do it, what was\n"
+    "reached is printed; 4 file or system error; 130 interrupted.";
+
 }  // namespace
 
 void begin_group(CLI::App* app, const char* heading) { app->option_defaults()->group(heading); }
 
-std::string footer(const std::string& example) {
-  return "Example: graze " + example +
-         "\nExit codes: 0 done; 2 usage or scene error; 3 numerics could not do it, what was\n"
-         "reached is printed; 4 file or system error; 130 interrupted.";
+std::string footer(const std::string& example) { return kExample + example + kExitCodes; }
+
+std::string example_in(const std::string& footer) {
+  const std::size_t begin = footer.find(kExample);
+  return begin == 0 ? footer.substr(kExample.size(), footer.find(kExitCodes) - kExample.size())
+                    : "";
 }
 
 void add_shared(CLI::App* app, SceneOptions& command) {
