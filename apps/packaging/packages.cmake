@@ -6,8 +6,14 @@ set(CPACK_PACKAGE_VENDOR "The Graze authors")
 set(CPACK_PACKAGE_CONTACT "The Graze authors <graze@example.org>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_COMPONENTS_ALL program library doc)
+if(GRAZE_C)
+  list(APPEND CPACK_COMPONENTS_ALL c)
+endif()
 if(GRAZE_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
+if(GRAZE_MPI)
+  list(APPEND CPACK_COMPONENTS_ALL mpi)
 endif()
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -17,43 +23,60 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 
-set(long "Graze simulates flexible structures that hit stops, through impact, chatter, sticking and
- release, finds their periodic orbits, stable or not, and traces these over parameters.")
-# graze_package(<component> <package> <section> <short description> <what is in it>)
-macro(graze_package component package section short what)
+set(long "Graze simulates flexible structures that hit stops, through impact,
+chatter, sticking and release, finds their periodic orbits, stable or
+not, and traces these over parameters.")
+# graze_package(<component> <package> <section> <what is in it>)
+macro(graze_package component package section what)
   string(TOUPPER ${component} upper)
   set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${package})
   set(CPACK_DEBIAN_${upper}_PACKAGE_SECTION ${section})
-  set(CPACK_COMPONENT_${upper}_DESCRIPTION "${short}\n ${long}\n .\n ${what}")
+  set(CPACK_COMPONENT_${upper}_DESCRIPTION "${long}\n.\n${what}")
   # Each package has its licence and its history, as Debian's policy asks.
   set(doc ${CMAKE_INSTALL_DATADIR}/doc/${package})
   install(FILES ${PROJECT_BINARY_DIR}/packaging/copyright
                 ${PROJECT_BINARY_DIR}/packaging/changelog.Debian.gz
           DESTINATION ${doc} COMPONENT ${component})
 endmacro()
-graze_package(program graze math "continuation and bifurcation of impacting structures"
+graze_package(program graze math
   "This package has the program, its manual pages and example scenes.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS gnuplot-nox)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS graze-doc)
-graze_package(library libgraze-dev libdevel "C++ library of Graze"
+graze_package(library libgraze-dev libdevel
   "This package has the static libraries, the headers and the files of CMake.")
 # What find_package(graze) looks for.
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS
     "libboost-dev, libceres-dev, libeigen3-dev (>= 3.4), libfmt-dev, libhwy-dev, libnlopt-dev, \
 libspectra-dev, libsuitesparse-dev, libtbb-dev, libtomlplusplus-dev, libzip-dev, nettle-dev, \
 nlohmann-json3-dev, pkg-config")
-graze_package(doc graze-doc doc "documentation of Graze"
+if(GRAZE_C)
+  graze_package(c libgraze0 libs "This package has the shared library of the C interface.")
+  set(CPACK_DEBIAN_C_PACKAGE_SHLIBDEPS ON)
+  # Programs that link it depend on this package.
+  set(CPACK_DEBIAN_C_PACKAGE_GENERATE_SHLIBS ON)
+  string(APPEND CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS ", libgraze0 (= ${PROJECT_VERSION}-1)")
+endif()
+graze_package(doc graze-doc doc
   "This package has its pages, decisions and example programs.")
 set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
 if(GRAZE_PYTHON)
-  graze_package(python python3-graze python "Graze as functions of Python"
+  set(Python_EXECUTABLE ${GRAZE_PYTHON_INTERPRETER})
+  find_package(Python 3.9 REQUIRED COMPONENTS Interpreter)
+  graze_package(python python3-graze python
     "This package has the module graze, whose results are arrays of NumPy.")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
   math(EXPR next "${Python_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
       "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next}), python3-numpy")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib, python3-pandas")
+endif()
+
+if(GRAZE_MPI)
+  graze_package(mpi graze-mpi math
+    "This package has graze-mpi, whose ranks share long work.")
+  set(CPACK_DEBIAN_MPI_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_MPI_PACKAGE_RECOMMENDS openmpi-bin)
 endif()
 
 # Below the name that policy has for them.
