@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -65,17 +66,32 @@ void add_rows(const Rows& rows, Columns& columns) {
 }
 
 // One reader reads one command at a time.
-Command read(const std::vector<std::string>& words) {
-  static std::mutex mutex;
-  static CommandReader reader;
-  const std::lock_guard lock(mutex);
-  return reader.read(words);
-}
+class SharedReader {
+ public:
+  SharedReader() {
+    for (const CommandReader::Description& command : reader_.descriptions())
+      for (const CommandReader::Option& file : command.files)
+        if (file.name == "SCENE") of_scenes_.insert(command.name);
+  }
+
+  Command read(const std::vector<std::string>& words) {
+    const std::lock_guard lock(mutex_);
+    return reader_.read(words);
+  }
+  bool takes_scene(const std::string& command) const { return of_scenes_.contains(command); }
+
+ private:
+  std::mutex mutex_;
+  CommandReader reader_;
+  std::set<std::string> of_scenes_;
+};
 
 // The scene stands behind the command's name, as in the program.
 Command command_of(const char* scene, std::vector<std::string> words) {
-  if (scene && !words.empty()) words.insert(words.begin() + 1, kSceneName);
-  Command command = read(words);
+  static SharedReader reader;
+  if (scene && !words.empty() && reader.takes_scene(words.front()))
+    words.insert(words.begin() + 1, kSceneName);
+  Command command = reader.read(words);
   std::visit(
       [&](auto& given) {
         using Given = std::decay_t<decltype(given)>;
