@@ -30,11 +30,12 @@ mkdir -p "$system" && tar -C "$system" -xf "$base"
 cp /etc/resolv.conf "$system/etc/resolv.conf" 2> /dev/null || true
 mkdir "$system/packages" && cp "$packages"/*.deb "$system/packages"
 cp -r "$here/../install/consumer" "$system/consumer"
+mount -t proc proc "$system/proc" || exit 1
+trap 'umount "$system/proc" 2> /dev/null' EXIT
 inside() { chroot "$system" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive bash -c "$1"; }
-# Debian's own minimal images leave manual pages out; this one has them.
 inside 'apt-get update -qq'
-# Whatever is there before the packages of Graze shall be there after them, and no more.
-files() { (cd "$system" && find usr etc var/lib/dpkg/info -path '*graze*' -o -path '*Graze*' | sort); }
+# What is there of Graze.
+files() { (cd "$system" && find usr etc var/lib/dpkg/info -path '*graze*' | sort); }
 
 echo "== the program alone"
 inside 'apt-get install -y -qq --no-install-recommends /packages/graze_*.deb' > "$scratch/install.log" 2>&1 || { tail "$scratch/install.log" >&2; fail "the program does not install"; }
@@ -58,14 +59,17 @@ inside "python3 -c \"import graze; run = graze.simulate('/usr/share/graze/scenes
 grep -qx reached_end "$scratch/import.log" || fail "Python: $(cat "$scratch/import.log")"
 
 echo "== library"
-inside 'apt-get install -y -qq --no-install-recommends /packages/libgraze-dev_*.deb /packages/graze-doc_*.deb g++ cmake ninja-build' > "$scratch/library.log" 2>&1 || { tail "$scratch/library.log"; fail "the library does not install"; }
+inside 'apt-get install -y -qq --no-install-recommends /packages/libgraze0_*.deb /packages/libgraze-dev_*.deb /packages/graze-doc_*.deb g++ cmake ninja-build' > "$scratch/library.log" 2>&1 || { tail "$scratch/library.log"; fail "the library does not install"; }
 inside 'cmake -S /consumer -B /consumer/build -G Ninja -DCMAKE_BUILD_TYPE=Release && cmake --build /consumer/build && /consumer/build/consumer /usr/share/graze/scenes/05_wagg_one_mode.toml' > "$scratch/consumer.log" 2>&1 || { tail -n 15 "$scratch/consumer.log" >&2; fail "no program builds on the library"; }
 [ -e "$system/usr/share/doc/graze-doc/docs/index.md" ] || fail "no documentation"
 
+inside 'printf "#include <graze.h>\n#include <stdio.h>\nint main(void) { return puts(graze_version()) < 0; }\n" > /root/version.c && gcc /root/version.c -lgraze -o /root/version && /root/version' | grep -qx "$(inside 'graze version' | cut -d ' ' -f 2)" || fail "no program of C builds on the library"
+
 echo "== removal"
-inside 'apt-get purge -y -qq graze python3-graze libgraze-dev graze-doc' > "$scratch/removal.log" 2>&1 || fail "the packages are not removed"
+inside 'apt-get purge -y -qq graze python3-graze libgraze0 libgraze-dev graze-doc' > "$scratch/removal.log" 2>&1 || fail "the packages are not removed"
 left=$(files)
 [ -z "$left" ] || fail "left behind: $left"
+umount "$system/proc"
 rm -rf "$system"
 [ "$failed" -eq 0 ] && echo "the packages install, run and are removed"
 exit "$failed"
