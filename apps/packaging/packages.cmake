@@ -53,8 +53,13 @@ nlohmann-json3-dev, pkg-config")
 if(GRAZE_C)
   graze_package(c libgraze0 libs "This package has the shared library of the C interface.")
   set(CPACK_DEBIAN_C_PACKAGE_SHLIBDEPS ON)
-  # Programs that link it depend on this package.
-  set(CPACK_DEBIAN_C_PACKAGE_GENERATE_SHLIBS ON)
+  # Programs that link it depend on this package; the loader is told that it is there.
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/packaging/shlibs
+       CONTENT "libgraze 0 libgraze0 (>= ${PROJECT_VERSION})\n")
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/packaging/triggers
+       CONTENT "activate-noawait ldconfig\n")
+  set(CPACK_DEBIAN_C_PACKAGE_CONTROL_EXTRA
+      "${PROJECT_BINARY_DIR}/packaging/shlibs;${PROJECT_BINARY_DIR}/packaging/triggers")
   string(APPEND CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS ", libgraze0 (= ${PROJECT_VERSION}-1)")
 endif()
 graze_package(doc graze-doc doc
@@ -70,6 +75,23 @@ if(GRAZE_PYTHON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
       "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next}), python3-numpy")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib, python3-pandas")
+  # Python compiles what it imports; Debian does so when the package comes, and clears it when it goes.
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/packaging/postinst CONTENT
+"#!/bin/sh
+set -e
+if [ \"$1\" = configure ] && command -v py3compile > /dev/null; then
+  py3compile -p python3-graze
+fi
+" @ONLY)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/packaging/prerm CONTENT
+"#!/bin/sh
+set -e
+if command -v py3clean > /dev/null; then
+  py3clean -p python3-graze
+fi
+" @ONLY)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+      "${PROJECT_BINARY_DIR}/packaging/postinst;${PROJECT_BINARY_DIR}/packaging/prerm")
 endif()
 
 if(GRAZE_MPI)

@@ -37,8 +37,8 @@ static void a_ball_bounces(void) {
   const char* scene =
       "[modal]\nfrequencies = [0.0]\ninertia = [1.0]\n[gravity]\nacceleration = 10.0\n"
       "[[stop]]\nshape = [1.0]\ngap = 1.25\nrestitution = 0.8\n";
-  graze_result* run = graze_run(scene, WORDS("simulate", "--duration", "2", "--record", "samples",
-                                             "--sample-rate", "100"));
+  graze_result* run = graze_run(
+      scene, WORDS("simulate", "--duration", "2", "--record", "samples", "--sample-rate", "100"));
   EXPECT(graze_status(run) == 0);
   EXPECT(strcmp(graze_message(run), "") == 0);
   size_t count = 0, stride = 0;
@@ -113,7 +113,8 @@ static void wrong_calls_are_told(void) {
   expect_refused(scene, WORDS("help"), 2, "printed by the program alone");
   expect_refused(scene, WORDS("init"), 2, "init");
   expect_refused(NULL, WORDS("check", "no/such/scene.toml"), 4, "cannot be read");
-  expect_refused("[modal]\nfrequencies = [1.0]\nx = 1\n", WORDS("check"), 2, "scene.toml:3:1: modal.x");
+  expect_refused("[modal]\nfrequencies = [1.0]\nx = 1\n", WORDS("check"), 2,
+                 "scene.toml:3:1: modal.x");
   expect_refused("\xff", WORDS("check"), 2, "scene.toml:1");
   graze_free(NULL);
   EXPECT(graze_status(NULL) == 4);
@@ -124,7 +125,8 @@ static void wrong_calls_are_told(void) {
   graze_free(run);
 }
 
-/* No orbit repeats after two periods here and is alone in that: what was found is told, with why. */
+/* No orbit repeats after two periods here and is alone in that: what was found is told, with why.
+ */
 static void numerics_that_cannot_say_so(const char* folder) {
   char* scene = text_of(folder, "05_wagg_one_mode.toml");
   graze_result* none = graze_run(scene, WORDS("orbit", "--start", "simulation", "--period", "2"));
