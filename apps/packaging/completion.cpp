@@ -20,10 +20,13 @@ ValueKind value_kind(const CommandReader::Option& option) {
 
 std::string in_brief(const std::string& what) {
   constexpr std::size_t kMost = 70;
-  std::size_t end = what.size();
-  for (const char* stop : {"; ", ": ", ". ", " ("}) end = std::min(end, what.find(stop));
-  if (end <= kMost) return what.substr(0, end);
-  return what.substr(0, what.rfind(' ', kMost)) + " ..";
+  // "With --show: the place, e.g. probe.1" is about the place.
+  const std::size_t condition = what.rfind("With --", 0) == 0 ? what.find(": ") : std::string::npos;
+  const std::string text = condition == std::string::npos ? what : what.substr(condition + 2);
+  std::size_t end = text.size();
+  for (const char* stop : {"; ", ": ", ". ", ", e.g. ", " ("}) end = std::min(end, text.find(stop));
+  if (end <= kMost) return text.substr(0, end);
+  return text.substr(0, text.rfind(' ', kMost)) + " ..";
 }
 
 }  // namespace graze

@@ -65,7 +65,34 @@ if command -v fish > /dev/null; then
 fi
 if command -v zsh > /dev/null; then
   echo "== zsh"
-  # Its widgets work at a terminal only; what can be asked for without one is whether it is read.
+  # Its widgets work at a terminal only: what stands there once the tabulator was pressed.
+  in_zsh() {
+    timeout 60 zsh -f -c '
+      zmodload zsh/zpty
+      zpty shell zsh -f -i
+      zpty -w shell "PROMPT=; fpath=($2 \$fpath); PATH=$3:\$PATH; autoload -Uz compinit; compinit -u -D; unset zle_bracketed_paste; print rea\"\"dy"
+      while zpty -r shell line; do [[ $line == *ready* && $line != *print* ]] && break; done
+      sleep 0.5
+      zpty -w -n shell "$1"$'"'\\t'"'
+      for ((i = 0; i < 100; i++)); do
+        while zpty -rt shell line; do all+=$line; done
+        [[ $all == *"$4"* ]] && break
+        sleep 0.1
+      done
+      print -r -- "$all"
+      zpty -d shell' - "$1" "$folder" "$(dirname "$program")" "$2" 2> /dev/null | tr -d '\r\a'
+  }
+  shown() {
+    local got
+    got=$(in_zsh "$1" "$2")
+    grep -qF -e "$2" <<< "$got" || fail "zsh: '$1' does not go on to '$2' but to $got"
+  }
+  shown "graze simu" "graze simulate"
+  shown "graze simulate $scene --reco" "--record"
+  shown "graze simulate $scene --record sam" "--record samples"
+  shown "graze continue $scene --parameter stop.g" "--parameter stop.gap"
+  shown "graze check $scene -s beam.le" "-s beam.length="
+  shown "graze init mat" "graze init matrices"
   zsh -n "$folder/_graze" || fail "zsh: syntax"
   for command in $commands; do
     for option in $(options_of "$command"); do
