@@ -137,6 +137,34 @@ static void numerics_that_cannot_say_so(const char* folder) {
   free(scene);
 }
 
+/* KiB that this process holds. */
+static long held(void) {
+  long pages = 0, resident = 0;
+  FILE* file = fopen("/proc/self/statm", "r");
+  if (file && fscanf(file, "%ld %ld", &pages, &resident) != 2) resident = 0;
+  if (file) fclose(file);
+  return resident * 4;
+}
+
+static void calls_keep_no_memory(const char* folder) {
+  char* scene = text_of(folder, "04_impact_oscillator.toml");
+  long before = 0;
+  for (int call = 0; call < 1100; call++) {
+    if (call == 100) before = held();
+    graze_result* run = graze_run(
+        scene, WORDS("simulate", "--periods", "20", call % 3 ? "--record=samples" : "--energy"));
+    EXPECT(graze_status(run) == 0);
+    EXPECT(graze_column(run, "events", "time", NULL, NULL) != NULL);
+    EXPECT(strcmp(graze_json(run), "") != 0);
+    graze_free(run);
+    graze_free(graze_run(scene, WORDS("simulate", "--periods", "x")));
+    graze_free(graze_run("[modal]\nfrequencies = 1\n", WORDS("check")));
+  }
+  /* A thousand results hold 200 kB each, documents and samples: 200 MB. */
+  EXPECT(held() - before < 2048);
+  free(scene);
+}
+
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
   EXPECT(strcmp(graze_version(), "0.1.0") == 0);
@@ -145,6 +173,7 @@ int main(int argc, char** argv) {
   a_file_may_be_named(argv[1]);
   wrong_calls_are_told();
   numerics_that_cannot_say_so(argv[1]);
+  calls_keep_no_memory(argv[1]);
   if (!failed) puts("the C interface does what it says");
   return failed;
 }
