@@ -19,7 +19,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 [ $# -eq 0 ] || { echo "usage: bash tests/long.sh" >&2; exit 2; }
 set -e
-bash apps/install_packages.sh --tests --mpi --python
+bash apps/install_packages.sh --tests --mpi --python --deb
 command -v valgrind > /dev/null || sudo -n apt-get install -y valgrind || apt-get install -y valgrind
 for preset in release dev; do cmake --preset "$preset" -DGRAZE_TESTS=ON > /dev/null; done
 cmake --build --preset release --target graze_program

@@ -17,6 +17,7 @@
 #include "graze/record/file/run_info.hpp"
 #include "graze/scene/reader.hpp"
 #include "program.hpp"
+#include "work_thread.hpp"
 
 namespace {
 
@@ -165,6 +166,43 @@ auto safely(graze_result* result, const Work& work) noexcept -> decltype(work(*r
   }
 }
 
+std::vector<std::string> words_of(const char* const* words, std::size_t count) {
+  std::vector<std::string> list;
+  for (std::size_t i = 0; words && i < count; ++i) list.emplace_back(words[i] ? words[i] : "");
+  return list;
+}
+
+// Does the command; whatever goes wrong is told in the result.
+void run_into(graze_result& result, const char* scene, const std::vector<std::string>& words) {
+  result.status = caught(
+      [&] {
+        Command command = command_of(scene, words);
+        std::visit([&](CommonOptions& common) { common.caller = &result.found; }, command);
+        const int code = run_command(command);
+        if (result.has_record()) {
+          result.message = outcome_of(result.found).message;
+          result.tables = table_names(result.found);
+        }
+        return code;
+      },
+      [&](const std::string& sentence, int code) {
+        result.message = sentence;
+        return code;
+      });
+}
+
+// A result once `work` has filled it; null where memory is out.
+template <class Work>
+graze_result* made(const Work& work) noexcept {
+  try {
+    auto result = std::make_unique<graze_result>();
+    work(*result);
+    return result.release();
+  } catch (const std::exception&) {
+    return nullptr;
+  }
+}
+
 }  // namespace
 
 extern "C" {
@@ -175,31 +213,17 @@ const char* graze_version(void) {
 }
 
 graze_result* graze_run(const char* scene, const char* const* words, size_t count) {
-  graze_result* result = nullptr;
-  try {
-    result = new graze_result;
-    result->status = caught(
-        [&] {
-          std::vector<std::string> list;
-          for (std::size_t i = 0; words && i < count; ++i)
-            list.emplace_back(words[i] ? words[i] : "");
-          Command command = command_of(scene, std::move(list));
-          std::visit([&](CommonOptions& common) { common.caller = &result->found; }, command);
-          return run_command(command);
-        },
-        [&](const std::string& sentence, int code) {
-          result->message = sentence;
-          return code;
-        });
-    if (result->has_record()) {
-      if (result->message.empty()) result->message = outcome_of(result->found).message;
-      result->tables = table_names(result->found);
-    }
-  } catch (const std::exception&) {
-    delete result;
-    return nullptr;
-  }
-  return result;
+  return made([&](graze_result& result) { run_into(result, scene, words_of(words, count)); });
+}
+
+graze_result* graze_run_watched(const char* scene, const char* const* words, size_t count,
+                                graze_watch watch, void* data) {
+  return made([&](graze_result& result) {
+    do_beside([&, list = words_of(words, count)] { run_into(result, scene, list); },
+              [&] {
+                if (watch && watch(result.found.progress(), data) != 0) result.found.stop();
+              });
+  });
 }
 
 int graze_status(const graze_result* result) { return result ? result->status : 4; }

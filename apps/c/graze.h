@@ -33,8 +33,16 @@ const char* graze_version(void);
  * out. */
 graze_result* graze_run(const char* scene, const char* const* words, size_t count);
 
+/* The same, watched: `watch` is called by this thread some twenty times a second, with the part of
+ * the work that is done, 0 to 1, and with `data`. If it returns anything but 0 the work ends and
+ * keeps what it finished; the status is then 130. The work itself is done by another thread. */
+typedef int (*graze_watch)(double done, void* data);
+graze_result* graze_run_watched(const char* scene, const char* const* words, size_t count,
+                                graze_watch watch, void* data);
+
 /* The program's exit code: 0 done; 2 words or scene cannot be used; 3 the numerics could not do
- * what was asked, and the result is what was reached; 4 a file or the system failed. */
+ * what was asked, and the result is what was reached; 4 a file or the system failed; 130 the watch
+ * ended it. */
 int graze_status(const graze_result* result);
 /* A sentence about that, with file, line and column of a scene; "" where all went well. */
 const char* graze_message(const graze_result* result);

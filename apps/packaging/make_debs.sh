@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the Debian packages of Graze into a folder:
 #   bash apps/packaging/make_debs.sh [BUILD [FOLDER]]     default: build-deb, build-deb/packages
-# Needs the packages of `bash apps/install_packages.sh --python`.
+# Needs the packages of `bash apps/install_packages.sh --python --deb`.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build=$(realpath -m "${1:-$root/build-deb}")

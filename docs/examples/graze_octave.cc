@@ -42,6 +42,9 @@ octave_scalar_map table_of(graze_result* run, const char* table) {
   return columns;
 }
 
+// Ctrl-C; Octave itself acts on it once the work has ended.
+int is_interrupted(double, void*) { return octave_signal_caught || octave_interrupt_state > 0; }
+
 }  // namespace
 
 DEFUN_DLD(graze_run, args, ,
@@ -55,7 +58,9 @@ DEFUN_DLD(graze_run, args, ,
   for (octave_idx_type i = 1; i < args.length(); ++i) given.push_back(args(i).string_value());
   for (const std::string& word : given) words.push_back(word.c_str());
   const std::unique_ptr<graze_result, void (*)(graze_result*)> run(
-      graze_run(scene.c_str(), words.data(), words.size()), graze_free);
+      graze_run_watched(scene.c_str(), words.data(), words.size(), is_interrupted, nullptr),
+      graze_free);
+  octave_quit();
   const int status = graze_status(run.get());
   if (status == 2 || status == 4) error("%s", graze_message(run.get()));
   octave_scalar_map result;

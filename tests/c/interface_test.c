@@ -137,6 +137,38 @@ static void numerics_that_cannot_say_so(const char* folder) {
   free(scene);
 }
 
+static int end_at_once(double done, void* calls) {
+  EXPECT(done >= 0.0 && done <= 1.0);
+  ++*(int*)calls;
+  return 1;
+}
+
+static int only_look(double done, void* calls) {
+  ++*(int*)calls;
+  return done > 2.0;
+}
+
+/* A run of a million periods, which takes seconds, keeps the events it had when it was ended. */
+static void a_watch_ends_the_work(const char* folder) {
+  char* scene = text_of(folder, "04_impact_oscillator.toml");
+  int calls = 0;
+  graze_result* run =
+      graze_run_watched(scene, WORDS("simulate", "--periods", "1000000"), end_at_once, &calls);
+  EXPECT(calls > 0);
+  EXPECT(graze_status(run) == 130);
+  size_t count = 0;
+  EXPECT(graze_column(run, "events", "time", &count, NULL) && count > 0 && count < 1000000);
+  graze_free(run);
+  calls = 0;
+  run = graze_run_watched(scene, WORDS("simulate", "--periods", "100000"), only_look, &calls);
+  EXPECT(graze_status(run) == 0 && calls > 0);
+  graze_free(run);
+  run = graze_run_watched(scene, WORDS("simulate", "--periods", "x"), NULL, NULL);
+  EXPECT(graze_status(run) == 2);
+  graze_free(run);
+  free(scene);
+}
+
 /* KiB that this process holds. */
 static long held(void) {
   long pages = 0, resident = 0;
@@ -173,6 +205,7 @@ int main(int argc, char** argv) {
   a_file_may_be_named(argv[1]);
   wrong_calls_are_told();
   numerics_that_cannot_say_so(argv[1]);
+  a_watch_ends_the_work(argv[1]);
   calls_keep_no_memory(argv[1]);
   if (!failed) puts("the C interface does what it says");
   return failed;
