@@ -1,6 +1,8 @@
 // graze check: what a scene means.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/assembly/initial_state.hpp"
@@ -8,6 +10,7 @@
 #include "graze/record/records.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
+#include "graze/scene/parameter.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "session.hpp"
 
@@ -31,11 +34,29 @@ std::vector<std::string> unstable_stops(const System& system) {
   return warnings;
 }
 
+// One in a line, its name first.
+void print_parameters(const Scene& scene) {
+  const std::vector<std::string> names = parameter_names(scene);
+  std::size_t width = 0;
+  for (const std::string& name : names) width = std::max(width, name.size());
+  print([&](const TextSink& out) {
+    for (const std::string& name : names) {
+      const std::string unit = parameter_unit(scene, name);
+      out(fmt::format("{:<{}}   {}{}{}\n", name, width, parameter_value(scene, name).value(),
+                      unit.empty() ? "" : " ", unit));
+    }
+  });
+}
+
 }  // namespace
 
 int run(const CheckCommand& command) {
   check_plot<CheckRecord>(command);
   const Scene scene = scene_of(command);
+  if (command.parameters) {
+    print_parameters(scene);
+    return 0;
+  }
   const ModalModel model = modal_model(scene);
   CheckRecord record{run_info(command.name, command.scene, scene),
                      scene,

@@ -108,7 +108,9 @@ struct RestartOptions {
   bool switched = false;      // onto the other branch there
 };
 
-struct CheckCommand : SceneOptions {};  // a picture shows the mode shapes
+struct CheckCommand : SceneOptions {  // a picture shows the mode shapes
+  bool parameters = false;            // list them and nothing else
+};
 
 struct ModesCommand : SceneOptions {
   std::string mac;  // a scene, or a file of shapes; empty: none
@@ -195,7 +197,13 @@ struct CompareCommand : MotionOptions, RangeOptions, SecondRangeOptions {
   JournalOptions journal;
 };
 
-using Command = std::variant<CheckCommand, ModesCommand, SimulateCommand, OrbitCommand,
+// A scene to begin with.
+struct InitCommand : CommonOptions {
+  std::string kind = "beam";  // beam | oscillator | matrices | hub
+  std::string file;           // empty: onto stdout
+};
+
+using Command = std::variant<InitCommand, CheckCommand, ModesCommand, SimulateCommand, OrbitCommand,
                              ContinueCommand, DiagramCommand, MapCommand, MergeCommand, ViewCommand,
                              CostCommand, FitCommand, CompareCommand>;
 
@@ -217,13 +225,28 @@ class CommandReader {
 
   // Of the words after the program's name. Throws InputError with the sentence of the program.
   Command read(const std::vector<std::string>& words);
-  // The names of a command's options without their dashes, "max-seconds", each with what it says of
-  // itself and the default that it prints, if any. Empty for an unknown command.
+  // An option, or a file among the words of a command.
   struct Option {
-    std::string name, what, default_value;
+    std::string name;           // without its dashes, "max-seconds"
+    std::string what;           // what it says of itself
+    std::string default_value;  // that it prints, if any
     bool is_flag = false, takes_several = false;
+    std::string short_name;            // one letter; empty: none
+    std::string placeholder;           // "DIR", of what has a value
+    std::vector<std::string> choices;  // empty: any value
+    std::string heading;               // of --help
+    std::string help;                  // what --help prints of it, in one line
+    bool is_required = false;
   };
+  // The options of a command. Empty for an unknown one.
   std::vector<Option> options(const std::string& command) const;
+
+  struct Description {
+    std::string name, what, example;
+    std::vector<Option> files, options;
+  };
+  // Of all commands, in the order of --help.
+  std::vector<Description> descriptions() const;
 
  private:
   friend ParsedCommand parse_command_line(int argc, char** argv);

@@ -4,14 +4,30 @@
 
 #include "command.hpp"
 #include "compare_options.hpp"
+#include "first_scene.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/report/names/detail/map_names.hpp"
 #include "option_groups.hpp"
 #include "option_values.hpp"
 #include "picture_options.hpp"
+#include "simulate_options.hpp"
 
 namespace graze {
 namespace {
+
+void add_init(CLI::App& graze, std::optional<Command>& parsed) {
+  const auto [app, command] = add_command<InitCommand>(
+      graze, parsed, "init", "Write a commented scene to begin with, onto stdout or into a file");
+  app->footer(footer("init beam my_beam.toml"));
+  begin_group(app, "Scene");
+  app->add_option("KIND", command.kind,
+                  "What the scene is of: beam against a stop, oscillator (modes given as numbers), "
+                  "matrices of a finite-element model, or hub (a beam that turns)")
+      ->check(CLI::IsMember(first_scene_kinds()))
+      ->capture_default_str()
+      ->type_name("KIND");
+  app->add_option("FILE", command.file, "File to write, which must not be there yet");
+}
 
 void add_check(CLI::App& graze, std::optional<Command>& parsed) {
   const auto [app, command] = add_command<CheckCommand>(
@@ -20,6 +36,12 @@ void add_check(CLI::App& graze, std::optional<Command>& parsed) {
   app->footer(footer("check data/scenes/02_wagg_momentum.toml --set beam.modes=8"));
   add_shared(app, command);
   add_picture(app, command, kFeatures<CheckRecord>);
+  begin_group(app, kOutputGroup);
+  CLI::Option* list =
+      app->add_flag("--parameters", command.parameters,
+                    "List what --parameter may name, with values and units, and nothing else");
+  for (const char* of_results : {"--json", "--out", "--plot"})
+    list->excludes(app->get_option(of_results));
 }
 
 void add_modes(CLI::App& graze, std::optional<Command>& parsed) {
@@ -34,87 +56,6 @@ void add_modes(CLI::App& graze, std::optional<Command>& parsed) {
                   "Compare the shapes by the modal assurance criterion with those of another "
                   "scene, or of a file with a degree of freedom and its displacements in a line")
       ->type_name("FILE");
-}
-
-void add_simulate(CLI::App& graze, std::optional<Command>& parsed) {
-  const auto [app, command] = add_command<SimulateCommand>(
-      graze, parsed, "simulate", "Follow the motion, every impact certified");
-  app->footer(footer("simulate data/scenes/02_wagg_momentum.toml --duration 1 --energy"));
-  add_shared(app, command);
-  add_picture(app, command, kFeatures<SimulationRecord>);
-  begin_group(app, "Motion");
-  auto* duration =
-      app->add_option("--duration", command.duration, "Simulated time, s; needed without forcing")
-          ->check(at_least("a number of seconds, 0 or more", 0.0))
-          ->type_name("S");
-  app->add_option("--periods", command.periods,
-                  "Simulated forcing periods, instead of --duration (default 100)")
-      ->transform(whole_number("a whole number, 0 or more", 0.0, kMostCounted))
-      ->type_name("K")
-      ->excludes(duration);
-  app->add_option("--record", command.record, "What to keep: none, events or samples")
-      ->check(CLI::IsMember({"none", "events", "samples"}))
-      ->capture_default_str()
-      ->type_name("WHAT");
-  app->add_option(
-         "--sample-rate", command.sample_rate,
-         "Samples per second with --record samples (default: 100 a forcing period; without "
-         "forcing, of the slowest mode)")
-      ->check(above_zero())
-      ->type_name("RATE");
-  app->add_flag(
-      "--energy", command.energy,
-      "Keep the energy balance: the work of every effect, and what is missing in their sum "
-      "(--plot keeps it too)");
-  app->add_flag(
-      "--amplitudes", command.amplitudes,
-      "Measure the motion: largest, smallest and root mean square values at the probes and stops, "
-      "forces and impulses of the stops");
-  app->add_option("--amplitudes-from", command.amplitudes_from,
-                  "With --amplitudes or --forces: time that is measured from, s (default: 0)")
-      ->check(at_least("a time in s, 0 or more", 0.0))
-      ->type_name("S");
-  app->add_option("--forces", command.force_windows,
-                  "Keep the force of every stop over time, of impacts and while it holds, as means "
-                  "over N equal windows of the run; --out writes them (default with --show forces: "
-                  "400)")
-      ->transform(whole_number("a whole number from 1 to 100000", 1.0, 1e5))
-      ->type_name("N");
-  begin_group(app, "Section");
-  auto* section =
-      app->add_option_function<std::string>(
-             "--section", set_by_name(command.section, kDiagramSections),
-             "Poincare section, which --plot then shows: impact (phase and speed of every "
-             "impact) or stroboscopic (displacement and velocity at the stops once a "
-             "forcing period)")
-          ->transform(section_name())
-          ->type_name("WHAT");
-  app->add_option("--transient", command.transient,
-                  "Forcing periods at the beginning that the section leaves out (default: a tenth "
-                  "of the run)")
-      ->transform(whole_number("a whole number, 0 or more", 0.0, kMostCounted))
-      ->type_name("K")
-      ->needs(section);
-  begin_group(app, "Pictures");
-  add_choice(app, "--show", command.show, kRunPictures,
-             "With --plot: the motion; returns (each impact over the one before, with --section "
-             "impact); spectrum (amplitudes over the frequency, of the last 64 forcing periods); "
-             "shapes (of the beam, with --shapes-at); or forces (of every stop over time)")
-      ->type_name("WHAT")
-      ->needs("--plot");
-  app->add_option("--shapes-at", command.shape_times,
-                  "With --show shapes: times, s, several with commas")
-      ->check(at_least("a time in s, 0 or more", 0.0))
-      ->delimiter(',')
-      ->type_name("T,..")
-      ->needs("--show");
-  add_closure_speed(app, command);
-  begin_group(app, "Motion");
-  app->add_option("--resume", command.resume,
-                  "Go on from the state.toml that --out left, given as file or folder; the end "
-                  "still counts from t = 0")
-      ->type_name("FILE|DIR");
-  add_limits(app, command);
 }
 
 void add_orbit(CLI::App& graze, std::optional<Command>& parsed) {
@@ -324,6 +265,7 @@ void add_fit(CLI::App& graze, std::optional<Command>& parsed) {
 }  // namespace
 
 void add_commands(CLI::App& graze, std::optional<Command>& parsed) {
+  add_init(graze, parsed);
   add_check(graze, parsed);
   add_modes(graze, parsed);
   add_simulate(graze, parsed);

@@ -7,16 +7,10 @@
 #include <vector>
 
 #include "graze/report/text/text.hpp"
+#include "usage_errors.hpp"
 
 namespace graze {
 namespace {
-
-// The words that an option takes, of a type "WHAT:{impact,stroboscopic}".
-std::vector<std::string> choices_of(const std::string& type) {
-  const std::size_t begin = type.find(":{");
-  if (begin == std::string::npos) return {};
-  return CLI::detail::split(type.substr(begin + 2, type.rfind('}') - begin - 2), ',');
-}
 
 // As lines that are at most so wide; what goes on is not indented, which is done where it is shown.
 std::string lines_of(const std::string& text, std::size_t width) {
@@ -27,6 +21,26 @@ std::string lines_of(const std::string& text, std::size_t width) {
 }
 
 }  // namespace
+
+std::string help_line(const CLI::Option& option) {
+  std::string text = option.get_description();
+  const std::vector<std::string> choices = choices_of(option);
+  const bool told = std::all_of(choices.begin(), choices.end(), [&](const std::string& choice) {
+    return text.find(choice) != std::string::npos;
+  });
+  if (!told) text += fmt::format(" (one of {})", fmt::join(choices, ", "));
+  const std::string standard = option.get_default_str();
+  if (!standard.empty() && text.find("default") == std::string::npos)
+    text += fmt::format(" (default: {})", standard);
+  if (option.get_required()) text += " (required)";
+  if (!option.get_excludes().empty()) {
+    std::vector<std::string> others;
+    for (const CLI::Option* other : option.get_excludes()) others.push_back(other->get_name());
+    std::sort(others.begin(), others.end());
+    text += fmt::format("; not with {}", fmt::join(others, ", "));
+  }
+  return text;
+}
 
 std::string HelpFormat::make_description(const CLI::App* app) const {
   return fitted_lines(app->get_description(), {}) + "\n";
@@ -48,30 +62,11 @@ std::string HelpFormat::make_subcommand(const CLI::App* app) const {
 }
 
 std::string HelpFormat::make_option_opts(const CLI::Option* option) const {
-  if (option->get_type_size() == 0) return "";
-  const std::string type = option->get_type_name();
-  // A positional is named by its name.
-  return option->get_positional() ? "" : " " + type.substr(0, type.find(":{"));
+  return with_placeholder(*option).substr(option->get_name().size());
 }
 
 std::string HelpFormat::make_option_desc(const CLI::Option* option) const {
-  std::string text = option->get_description();
-  const std::vector<std::string> choices = choices_of(option->get_type_name());
-  const bool told = std::all_of(choices.begin(), choices.end(), [&](const std::string& choice) {
-    return text.find(choice) != std::string::npos;
-  });
-  if (!told) text += fmt::format(" (one of {})", fmt::join(choices, ", "));
-  const std::string standard = option->get_default_str();
-  if (!standard.empty() && text.find("default") == std::string::npos)
-    text += fmt::format(" (default: {})", standard);
-  if (option->get_required()) text += " (required)";
-  if (!option->get_excludes().empty()) {
-    std::vector<std::string> others;
-    for (const CLI::Option* other : option->get_excludes()) others.push_back(other->get_name());
-    std::sort(others.begin(), others.end());
-    text += fmt::format("; not with {}", fmt::join(others, ", "));
-  }
-  return lines_of(text, TextOptions{}.width - column_width_);
+  return lines_of(help_line(*option), TextOptions{}.width - column_width_);
 }
 
 }  // namespace graze

@@ -6,6 +6,9 @@
 
 namespace graze {
 
+// What --help says of an option, in one line.
+std::string help_line(const CLI::Option& option);
+
 // Lines of at most 100 characters; behind what an option does stand the words that it takes, its
 // default and the options that it does not go with, where its description does not tell them.
 class HelpFormat : public CLI::Formatter {

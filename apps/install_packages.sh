@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of packages.txt that are missing, and npm; with --tests also the browser
 # and Python that only the tests need, with --mpi also what graze-mpi needs (-DGRAZE_MPI=ON), with
-# --python what the Python package and its tests need (-DGRAZE_PYTHON=ON). Needs root or
-# sudo; without either it prints the one line to run and exits 2.
+# --python what the Python package and its tests need (-DGRAZE_PYTHON=ON), with --deb what Debian packages
+# are made with. Needs root or sudo; without either it prints the one line to run and exits 2.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
@@ -22,7 +22,8 @@ for option in "$@"; do
       wanted+=(pybind11-dev python3-dev python3-numpy python3-matplotlib python3-pandas
                python3-pytest mypy python3-nbclient python3-ipykernel)
       ;;
-    *) echo "usage: bash apps/install_packages.sh [--tests] [--mpi] [--python]" >&2; exit 2 ;;
+    --deb) wanted+=(dpkg-dev file) ;;
+    *) echo "usage: bash apps/install_packages.sh [--tests] [--mpi] [--python] [--deb]" >&2; exit 2 ;;
   esac
 done
 missing=()

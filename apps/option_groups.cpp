@@ -15,20 +15,27 @@ constexpr const char* kClosureSpeed =
     "Speed below which the rest of a chatter is summed, m/s (default: sqrt(solver.tolerance/100) "
     "of the motion's speed; graze check prints it)";
 
+const std::string kExample = "Example: graze ";
+const std::string kExitCodes =
+    "\nExit codes: 0 done; 2 usage or scene error; 3 numerics could not do it, what was\n"
+    "reached is printed; 4 file or system error; 130 interrupted.";
+
 }  // namespace
 
 void begin_group(CLI::App* app, const char* heading) { app->option_defaults()->group(heading); }
 
-std::string footer(const std::string& example) {
-  return "Example: graze " + example +
-         "\nExit codes: 0 done; 2 usage or scene error; 3 numerics could not do it, what was\n"
-         "reached is printed; 4 file or system error; 130 interrupted.";
+std::string footer(const std::string& example) { return kExample + example + kExitCodes; }
+
+std::string example_in(const std::string& footer) {
+  const std::size_t begin = footer.find(kExample);
+  return begin == 0 ? footer.substr(kExample.size(), footer.find(kExitCodes) - kExample.size())
+                    : "";
 }
 
 void add_shared(CLI::App* app, SceneOptions& command) {
   begin_group(app, "Scene");
   app->add_option("SCENE", command.scene, "Scene file (TOML)")->required();
-  app->add_option("--set", command.settings,
+  app->add_option("-s,--set", command.settings,
                   "Replace or add one key of the scene, e.g. stop.gap=2e-3; as often as wanted")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false)
@@ -38,20 +45,20 @@ void add_shared(CLI::App* app, SceneOptions& command) {
 
 void add_printing(CLI::App* app, CommonOptions& command) {
   begin_group(app, kOutputGroup);
-  app->add_flag("--json", command.json, "Print one JSON document and nothing else on stdout");
-  app->add_flag("--quiet", command.quiet, "No progress, no warnings");
+  app->add_flag("-j,--json", command.json, "Print one JSON document and nothing else on stdout");
+  app->add_flag("-q,--quiet", command.quiet, "No progress, no warnings");
   app->add_flag_callback(
       "--wide", [&command] { command.text.width = kAnyWidth; },
       fmt::format("Tables and sentences as wide as they are (default: {} characters)",
                   command.text.width));
-  app->add_flag("--verbose", command.text.verbose,
+  app->add_flag("-v,--verbose", command.text.verbose,
                 "Also residuals, counts and notes that tell how the numerics went");
 }
 
 void add_output(CLI::App* app, CommonOptions& command) {
   add_printing(app, command);
   app->add_option(
-         "--out", command.out,
+         "-o,--out", command.out,
          "Write result.json, scene.toml, record.json (for graze view) and tables into this folder")
       ->type_name("DIR");
   begin_group(app, kNumericsGroup);

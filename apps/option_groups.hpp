@@ -40,6 +40,8 @@ void begin_group(CLI::App* app, const char* heading);
 
 // What stands below the options.
 std::string footer(const std::string& example);
+// The example, without "Example: "; empty: there is none.
+std::string example_in(const std::string& footer);
 
 void add_shared(CLI::App* app, SceneOptions& command);
 // Parts of it.

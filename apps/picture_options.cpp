@@ -44,7 +44,7 @@ void read_range(const std::string& option, const std::string& text, AxisRequest&
 void add_picture(CLI::App* app, CommonOptions& command, const PictureFeatures& features) {
   PictureRequest& plot = command.plot;
   app->add_option(
-         "--plot", plot.file,
+         "-p,--plot", plot.file,
          "Draw a picture into this .svg, .png or .pdf, the gnuplot script and its data are "
          "kept beside it; or into this .html, a page to look into with a browser")
       ->type_name("FILE")

@@ -109,6 +109,7 @@ std::string printed_text(const CommonOptions& command, const std::string& text);
 void print(const std::function<void(const TextSink&)>& read);
 
 // What each command does; the exit code.
+int run(const InitCommand& command);
 int run(const CheckCommand& command);
 int run(const ModesCommand& command);
 int run(const SimulateCommand& command);

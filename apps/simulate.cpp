@@ -209,6 +209,62 @@ Simulation run_listened(const System& system, const State& start, const std::opt
              : simulate(system, start, options, listeners);
 }
 
+void check_shape_times(const SimulateCommand& command, const SimulationOptions& options,
+                       const System& system) {
+  const double end = end_of(options, system);
+  for (const double time : command.shape_times)
+    if (time > end)
+      throw InputError(
+          fmt::format("--shapes-at: {:g} lies beyond the end of the run, {:.6g}", time, end));
+}
+
+// What a run follows, from its scene and from where an earlier one ended.
+struct Plan {
+  State start;
+  SimulationOptions options;
+  std::optional<CutRun> cut;
+  std::optional<RunSection> section;
+  double rate = 0.0;  // 1/s, of the samples that are kept
+  RunOutput::Rate listened;
+};
+
+// Fills in what the record says of the system before it moves.
+Plan planned(const SimulateCommand& command, const Scene& scene, SimulationRecord& record) {
+  const System& system = record.system;
+  Plan plan{initial_state(scene, system), simulation_options(command, scene), {}, {}, 0.0, {}};
+  check_shape_times(command, plan.options, system);
+  plan.options.steps = step_choice(scene, system, plan.start);
+  if (command.amplitudes) record.places = measured_places(scene, system);
+  if (!command.resume.empty()) {
+    plan.cut = read_cut_run(command, system, record.info);
+    check_end(*plan.cut, plan.options, system);
+  }
+  plan.options.measure = measure_options(command, record, plan.cut ? plan.cut->time : 0.0,
+                                         end_of(plan.options, system));
+  plan.section = section_of(command, system, plan.options);
+  if (!plan.options.closure_speed)
+    plan.options.closure_speed =
+        plan.cut ? plan.cut->state.closure_speed
+                 : default_closure_speed(system, plan.start, scene.solver.tolerance);
+  plan.rate = sample_rate(command, system, plan.cut);
+  plan.listened = listening_rate(command, system, plan.rate);
+  if (plan.cut) place_samples(*plan.cut, plan.listened.rate);
+  return plan;
+}
+
+// What --resume goes on from.
+CutRun state_left(const SimulateCommand& command, const SimulationRecord& record, double rate) {
+  CutRun state{record.info.version,
+               record.info.scene_sha256,
+               record.outcome.name,
+               record.run.end_time,
+               command.record == "samples" ? std::optional<double>(rate) : std::nullopt,
+               record.run.state};
+  // Those of a picture are none to go on with.
+  if (!state.sample_rate) state.state.samples = 0;
+  return state;
+}
+
 }  // namespace
 
 int run(const SimulateCommand& command) {
@@ -219,40 +275,19 @@ int run(const SimulateCommand& command) {
   record.info = run_info(command.name, command.scene, scene);
   record.system = assemble(scene);
   record.probes = probe_rows(scene, record.system);
-  const State start = initial_state(scene, record.system);
-  SimulationOptions options = simulation_options(command, scene);
-  for (const double time : command.shape_times)
-    if (time > end_of(options, record.system))
-      throw InputError(fmt::format("--shapes-at: {:g} lies beyond the end of the run, {:.6g}", time,
-                                   end_of(options, record.system)));
-  options.steps = step_choice(scene, record.system, start);
-  if (command.amplitudes) record.places = measured_places(scene, record.system);
-  std::optional<CutRun> cut;
-  if (!command.resume.empty()) {
-    cut = read_cut_run(command, record.system, record.info);
-    check_end(*cut, options, record.system);
-  }
-  options.measure =
-      measure_options(command, record, cut ? cut->time : 0.0, end_of(options, record.system));
-  std::optional<RunSection> section = section_of(command, record.system, options);
-  if (!options.closure_speed)
-    options.closure_speed =
-        cut ? cut->state.closure_speed
-            : default_closure_speed(record.system, start, scene.solver.tolerance);
-  const double rate = sample_rate(command, record.system, cut);
-  const RunOutput::Rate listened = listening_rate(command, record.system, rate);
-  if (cut) place_samples(*cut, listened.rate);
-  note_options(command, options, cut, rate, record.info);
+  Plan plan = planned(command, scene, record);
+  note_options(command, plan.options, plan.cut, plan.rate, record.info);
   record.warnings = system_warnings(scene, record.system);
   warn(command, record.warnings);
-  if (cut && command.keeps_balance() && !cut->state.keeps_balance)
+  if (plan.cut && command.keeps_balance() && !plan.cut->state.keeps_balance)
     record.notes.push_back(
         "the run before kept no energy balance; it begins where this one goes on");
 
   prepare_output(command);
   note_call(command, record.info);
-  RunOutput output(command, record.system, record.probes, std::move(section), listened);
-  record.run = run_listened(record.system, start, cut, options, listened.rate, command, output);
+  RunOutput output(command, record.system, record.probes, std::move(plan.section), plan.listened);
+  record.run = run_listened(record.system, plan.start, plan.cut, plan.options, plan.listened.rate,
+                            command, output);
   record.outcome = simulation_outcome(record.run);
   for (const std::string& warning : simulation_warnings(record.system, record.run)) {
     record.warnings.push_back(warning);
@@ -261,15 +296,9 @@ int run(const SimulateCommand& command) {
   output.show_in(record);
   record.shown = command.show;
   place_beam(command, scene, record);
-  if (command.show == RunPicture::kShapes) add_shapes(command.shape_times, start, options, record);
-  CutRun state{record.info.version,
-               record.info.scene_sha256,
-               record.outcome.name,
-               record.run.end_time,
-               command.record == "samples" ? std::optional<double>(rate) : std::nullopt,
-               record.run.state};
-  // Those of a picture are none to go on with.
-  if (!state.sample_rate) state.state.samples = 0;
+  if (command.show == RunPicture::kShapes)
+    add_shapes(command.shape_times, plan.start, plan.options, record);
+  const CutRun state = state_left(command, record, plan.rate);
   const auto files = [&] { return NamedFiles{{kStateFile, write_run_state(state)}}; };
   return conclude(
       command, record, scene, files,

@@ -9,6 +9,8 @@
 # - graze-mpi with 1 to 8 ranks, and after 100 kills, against the program (tests/mpi);
 # - the Python package against the program on every command of tests/results/commands.txt, its memory over
 #   a thousand calls of each function, wrong arguments, and ten million rows on their way to NumPy;
+# - the Debian packages in a bare Debian 12, and lintian over them (tests/packages), where this runs as root
+#   and a mirror can be reached; the C interface from Octave (tests/c);
 # - the lowest 50 modes of an elastic block with 1e5 unknowns, against 120 s and 6 GiB;
 # - one command of each kind under valgrind, which sees reads of what was never written.
 # About an hour on two cores; the logs are left in build/long. Exit 1 when anything was found.
@@ -17,7 +19,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 [ $# -eq 0 ] || { echo "usage: bash tests/long.sh" >&2; exit 2; }
 set -e
-bash apps/install_packages.sh --tests --mpi --python
+bash apps/install_packages.sh --tests --mpi --python --deb
 command -v valgrind > /dev/null || sudo -n apt-get install -y valgrind || apt-get install -y valgrind
 for preset in release dev; do cmake --preset "$preset" -DGRAZE_TESTS=ON > /dev/null; done
 cmake --build --preset release --target graze_program
@@ -45,6 +47,20 @@ echo "== Python package"
   > "$logs/python_build.log" 2>&1
 GRAZE_LONG=1 /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/python > "$logs/python.log" 2>&1 ||
   { failed=1; tail -n 40 "$logs/python.log"; }
+
+echo "== C interface from Octave"
+{ command -v mkoctfile > /dev/null || apt-get install -y --no-install-recommends octave liboctave-dev; } > "$logs/octave.log" 2>&1
+cmake --build --preset release --target graze_c >> "$logs/octave.log" 2>&1
+bash tests/c/octave_test.sh build "$logs/octave" >> "$logs/octave.log" 2>&1 || { failed=1; tail "$logs/octave.log"; }
+
+echo "== Debian packages"
+if [ "$(id -u)" -eq 0 ]; then
+  { apt-get install -y --no-install-recommends debootstrap lintian && bash apps/packaging/make_debs.sh build-deb "$logs/packages"; } \
+    > "$logs/packages.log" 2>&1
+  bash tests/packages/debian_test.sh "$logs/packages" "$logs/debian" >> "$logs/packages.log" 2>&1 || { failed=1; tail "$logs/packages.log"; }
+else
+  echo "left out: only root can make a bare system"
+fi
 
 echo "== modes of a solid"
 { cmake --preset release -DGRAZE_BENCH=ON && cmake --build --preset release --target solid_modes; } \

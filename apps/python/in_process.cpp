@@ -1,9 +1,8 @@
 #include "in_process.hpp"
 
 #include <exception>
-#include <sstream>
+#include <optional>
 
-#include "graze/report/csv/csv.hpp"
 #include "program.hpp"
 #include "work_thread.hpp"
 
@@ -12,30 +11,7 @@ namespace {
 
 namespace py = pybind11;
 
-std::vector<std::string> names_in(const std::string& header) {
-  std::vector<std::string> names;
-  std::istringstream line(header.substr(0, header.find('\n')));
-  for (std::string name; std::getline(line, name, ',');) names.push_back(name);
-  return names;
-}
-
 }  // namespace
-
-void FoundResult::hear(const Sample& sample) {
-  write_sample_row(*system_, sample, *probes_, samples_->add());
-}
-
-void FoundResult::begin_run(const System& system, const std::vector<ProbeRow>& probes,
-                            bool energy) {
-  system_ = &system;
-  probes_ = &probes;
-  samples_ = std::make_unique<Rows>(names_in(samples_csv_header(system, energy, probes)));
-}
-
-void FoundResult::take(AnyRecord record, const Scene& scene) {
-  record_ = std::move(record);
-  scene_ = scene;
-}
 
 std::shared_ptr<FoundResult> run_in_process(Command command, const py::object& progress) {
   const auto found = std::make_shared<FoundResult>();

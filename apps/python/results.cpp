@@ -2,20 +2,16 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <sstream>
+#include <optional>
 
 #include "bindings.hpp"
 #include "charts.hpp"
-#include "csv_columns.hpp"
 #include "drawing.hpp"
-#include "graze/report/csv/csv.hpp"
-#include "graze/report/detail/names.hpp"
 #include "graze/report/json/detail/json_page.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/text/text.hpp"
 #include "in_process.hpp"
-#include "tables.hpp"
 
 namespace graze {
 namespace {
@@ -65,23 +61,16 @@ py::object values_of(
   return array_of(std::move(std::get<std::vector<double>>(of)));
 }
 
-py::list csv_table(const Table& table) {
+py::list csv_table(const std::string& text) {
   std::vector<CsvColumn> columns;
   {
     const py::gil_scoped_release release;
-    columns = csv_columns(table.csv());
+    columns = csv_columns(text);
   }
   py::list list;
   for (CsvColumn& column : columns)
     list.append(py::make_tuple(column.name, values_of(std::move(column.values))));
   return list;
-}
-
-std::vector<std::string> names_in(const std::string& header) {
-  std::vector<std::string> names;
-  std::istringstream line(header.substr(0, header.find('\n')));
-  for (std::string name; std::getline(line, name, ',');) names.push_back(name);
-  return names;
 }
 
 // Columns of rows, all in one piece of memory that `owner` keeps.
@@ -94,67 +83,32 @@ py::list columns_of(const Rows& rows, const py::object& owner) {
 }
 
 py::list event_table(const FoundResult& result) {
-  std::vector<std::string> names = names_in(events_csv_header());
-  WordColumn kinds;
-  for (const EventKind kind : {EventKind::kImpact, EventKind::kChatter, EventKind::kStick,
-                               EventKind::kRelease, EventKind::kContact, EventKind::kSeparation})
-    kinds.words.emplace_back(name_of(kind));
-  auto rows = std::make_unique<Rows>(std::vector<std::string>(names.begin() + 1, names.end()));
+  EventColumns columns;
   {
     const py::gil_scoped_release release;
-    for (const Event& event : result.events()) {
-      write_event_row(event, rows->add());
-      kinds.codes.push_back(static_cast<std::int32_t>(event.kind));
-    }
+    columns = event_columns(result);
   }
   py::list list;
-  list.append(py::make_tuple(names.front(), values_of(std::move(kinds))));
-  const Rows& kept = *rows;
-  const py::capsule owner(rows.release(), [](void* at) { delete static_cast<Rows*>(at); });
+  list.append(py::make_tuple(columns.kind_name, values_of(std::move(columns.kinds))));
+  const Rows& kept = *columns.numbers;
+  const py::capsule owner(columns.numbers.release(),
+                          [](void* at) { delete static_cast<Rows*>(at); });
   for (const py::handle column : columns_of(kept, owner)) list.append(column);
   return list;
 }
 
-std::vector<Table> tables(const FoundResult& result) {
-  return std::visit([](const auto& record) { return tables_of(record); }, record_of(result));
-}
-
-std::string without_ending(const std::string& name) { return name.substr(0, name.rfind('.')); }
-
-std::vector<std::string> table_names(const FoundResult& result) {
-  std::vector<std::string> names;
-  if (std::holds_alternative<SimulationRecord>(record_of(result))) names.emplace_back("events");
-  if (result.samples() && result.samples()->count() > 0) names.emplace_back("samples");
-  for (const Table& table : tables(result)) names.push_back(without_ending(table.name));
-  return names;
-}
-
 py::list table(const py::object& self, const std::string& name) {
   const auto& result = self.cast<const FoundResult&>();
+  record_of(result);
   if (name == "events") return event_table(result);
   if (name == "samples" && result.samples()) return columns_of(*result.samples(), self);
-  for (const Table& known : tables(result))
-    if (without_ending(known.name) == name) return csv_table(known);
+  std::optional<std::string> text;
+  {
+    const py::gil_scoped_release release;
+    text = table_text(result, name);
+  }
+  if (text) return csv_table(*text);
   throw py::key_error(name);
-}
-
-std::string document(const FoundResult& result) {
-  Spool events("/tmp");
-  std::string text;
-  const auto collect = [&](const Document& whole) {
-    whole.read([&](std::string_view piece) { text += piece; });
-  };
-  std::visit(
-      [&](const auto& record) {
-        if constexpr (requires { to_json(record, events); }) {
-          for (const Event& event : result.events()) add_event_json(event, events);
-          collect(to_json(record, events));
-        } else {
-          collect(Document(to_json(record)));
-        }
-      },
-      record_of(result));
-  return text;
 }
 
 std::string printed(const FoundResult& result, bool verbose) {
@@ -225,9 +179,10 @@ const std::vector<std::string>& warnings_in(const Record& record) {
     return record.branches.warnings;
 }
 
-const Outcome& outcome(const FoundResult& result) {
-  return std::visit([](const auto& record) -> const Outcome& { return outcome_of(record); },
-                    record_of(result));
+// Throws where there is none.
+const FoundResult& complete(const FoundResult& result) {
+  record_of(result);
+  return result;
 }
 
 }  // namespace
@@ -241,8 +196,9 @@ void bind_results(py::module_& module) {
             return self.record() ? std::optional<std::string>(kKinds[self.record()->index()])
                                  : std::nullopt;
           })
-      .def_property_readonly("outcome", [](Self self) { return outcome(self).name; })
-      .def_property_readonly("message", [](Self self) { return words(outcome(self).message); })
+      .def_property_readonly("outcome", [](Self self) { return outcome_of(complete(self)).name; })
+      .def_property_readonly("message",
+                             [](Self self) { return words(outcome_of(complete(self)).message); })
       .def_property_readonly(
           "warnings",
           [](Self self) {
@@ -257,12 +213,12 @@ void bind_results(py::module_& module) {
              std::string text;
              {
                const py::gil_scoped_release release;
-               text = document(self);
+               text = document_of(complete(self));
              }
              return words(text);
            })
       .def("text", [](Self self, bool verbose) { return words(printed(self, verbose)); })
-      .def("table_names", table_names)
+      .def("table_names", [](Self self) { return table_names(complete(self)); })
       .def("table", table)
       .def("chart", chart)
       .def("shown", shown)

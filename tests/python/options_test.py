@@ -9,6 +9,7 @@ import pytest
 ELSEWHERE = {
     "json", "quiet", "wide", "verbose", "plot", "title", "style", "labels", "x-range", "y-range",
     "x-scale", "y-scale", "multipliers",
+    "parameters",  # of a scene: Scene.parameters
 }
 #: Which need --plot in the program.
 OF_PICTURES = {"simulate": {"show", "shapes-at"}, "loci": {"show", "at"}}

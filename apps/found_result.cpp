@@ -1,0 +1,99 @@
+#include "found_result.hpp"
+
+#include <sstream>
+#include <variant>
+
+#include "graze/record/file/spool.hpp"
+#include "graze/report/csv/csv.hpp"
+#include "graze/report/detail/names.hpp"
+#include "graze/report/json/json.hpp"
+#include "tables.hpp"
+
+namespace graze {
+namespace {
+
+std::vector<std::string> names_in(const std::string& header) {
+  std::vector<std::string> names;
+  std::istringstream line(header.substr(0, header.find('\n')));
+  for (std::string name; std::getline(line, name, ',');) names.push_back(name);
+  return names;
+}
+
+std::vector<Table> tables(const FoundResult& result) {
+  return std::visit([](const auto& record) { return tables_of(record); }, *result.record());
+}
+
+std::string without_ending(const std::string& name) { return name.substr(0, name.rfind('.')); }
+
+}  // namespace
+
+void FoundResult::hear(const Sample& sample) {
+  write_sample_row(*system_, sample, *probes_, samples_->add());
+}
+
+void FoundResult::begin_run(const System& system, const std::vector<ProbeRow>& probes,
+                            bool energy) {
+  system_ = &system;
+  probes_ = &probes;
+  samples_ = std::make_unique<Rows>(names_in(samples_csv_header(system, energy, probes)));
+}
+
+void FoundResult::take(AnyRecord record, const Scene& scene) {
+  record_ = std::move(record);
+  scene_ = scene;
+}
+
+const Outcome& outcome_of(const FoundResult& result) {
+  return std::visit([](const auto& record) -> const Outcome& { return outcome_of(record); },
+                    *result.record());
+}
+
+std::string document_of(const FoundResult& result) {
+  Spool events("/tmp");
+  std::string text;
+  const auto collect = [&](const Document& whole) {
+    whole.read([&](std::string_view piece) { text += piece; });
+  };
+  std::visit(
+      [&](const auto& record) {
+        if constexpr (requires { to_json(record, events); }) {
+          for (const Event& event : result.events()) add_event_json(event, events);
+          collect(to_json(record, events));
+        } else {
+          collect(Document(to_json(record)));
+        }
+      },
+      *result.record());
+  return text;
+}
+
+std::vector<std::string> table_names(const FoundResult& result) {
+  std::vector<std::string> names;
+  if (std::holds_alternative<SimulationRecord>(*result.record())) names.emplace_back("events");
+  if (result.samples() && result.samples()->count() > 0) names.emplace_back("samples");
+  for (const Table& table : tables(result)) names.push_back(without_ending(table.name));
+  return names;
+}
+
+std::optional<std::string> table_text(const FoundResult& result, const std::string& name) {
+  for (const Table& known : tables(result))
+    if (without_ending(known.name) == name) return known.csv();
+  return {};
+}
+
+EventColumns event_columns(const FoundResult& result) {
+  std::vector<std::string> names = names_in(events_csv_header());
+  EventColumns columns{names.front(), {}, nullptr};
+  for (const EventKind kind : {EventKind::kImpact, EventKind::kChatter, EventKind::kStick,
+                               EventKind::kRelease, EventKind::kContact, EventKind::kSeparation})
+    columns.kinds.words.emplace_back(name_of(kind));
+  names.erase(names.begin());
+  columns.numbers = std::make_unique<Rows>(std::move(names));
+  for (const Event& event : result.events()) {
+    write_event_row(event, columns.numbers->add());
+    columns.kinds.codes.push_back(static_cast<std::int32_t>(event.kind));
+  }
+  return columns;
+}
+
+}  // namespace graze

@@ -1,0 +1,17 @@
+// Manual pages, in the words of the program's --help.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+
+namespace graze {
+
+// graze(1), which lists the commands.
+std::string man_page(const std::vector<CommandReader::Description>& commands,
+                     const std::string& version);
+// graze-COMMAND(1).
+std::string man_page(const CommandReader::Description& command, const std::string& version);
+
+}  // namespace graze
