@@ -96,8 +96,7 @@ Deviations modal_growth(const Arc<double>& arc, double s, const Deviations& star
   for (Eigen::Index k = 0; k < start.count(); ++k) {
     const auto q = start.q.col(k).array(), qdot = start.qdot.col(k).array();
     const double delay = start.delay[k];
-    change.q.col(k).array() =
-        of.q_by_qdot * qdot + of.q_by_q * q + of.q_by_delay.array() * delay;
+    change.q.col(k).array() = of.q_by_qdot * qdot + of.q_by_q * q + of.q_by_delay.array() * delay;
     change.qdot.col(k).array() =
         of.qdot_by_qdot * qdot + of.qdot_by_q * q + of.qdot_by_delay.array() * delay;
   }
