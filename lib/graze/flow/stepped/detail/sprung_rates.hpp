@@ -91,15 +91,7 @@ class Sprung {
   // Where the works are in z: of the forcing, by damping, of what holds, and lost in the springs.
   enum Place { kForcing, kWeight, kDissipation, kConstraint, kSprings };
   std::size_t place(std::size_t work) const { return 2 * static_cast<std::size_t>(modes()) + work; }
-  // Whether its own forces do not couple the coordinates.
-  bool is_uncoupled() const {
-    return !system_.turning && !system_.powers && stiffness_.cols() == 1 &&
-           system_.damping.cols() == 1;
-  }
-  // The rates of change but for the springs; `cosine`: of the forcing phase.
-  void add_uncoupled(const State& z, double cosine, State& slope) const;
-  void add_coupled(const State& z, double cosine, double s, State& slope);
-  void add_powers(const State& z, double cosine, double s, State& slope);
+  void add_powers(const State& z, const Vector& resistance, double s, State& slope);
   // Of a structure that turns: its motion in all coordinates, what acts on it beside springs and
   // stiffness, the inertia that its shape adds, and a force that holds it.
   void spread(const State& z);
@@ -132,14 +124,8 @@ class Sprung {
 inline Sprung::Compression Sprung::compression(std::size_t spring, const State& z) const {
   const Contact& contact = contacts_[spring];
   const Eigen::Index n = modes();
-  const double *moved = z.data(), *velocity = z.data() + n;
-  Compression at;
-  for (Eigen::Index j = 0; j < n; ++j) {
-    at.depth += contact.depth[j] * moved[j];
-    at.rate += contact.rate[j] * velocity[j];
-  }
-  at.depth += contact.start;
-  return at;
+  const Eigen::Map<const Vector> moved(z.data(), n), velocity(z.data() + n, n);
+  return {contact.start + contact.depth.dot(moved), contact.rate.dot(velocity)};
 }
 
 inline Sprung::Compression Sprung::compression_rate(std::size_t spring, const State& slope) const {
@@ -222,51 +208,12 @@ inline void Sprung::begin(double theta, const Vector& x, std::span<const double>
 
 inline void Sprung::operator()(const State& z, State& slope, double s) {
   ++evaluations;
-  const double cosine = system_.frequency > 0.0 ? std::cos(theta_ + system_.frequency * s) : 0.0;
-  if (is_uncoupled())
-    add_uncoupled(z, cosine, slope);
-  else
-    add_coupled(z, cosine, s, slope);
-  const Eigen::Index n = modes();
-  Eigen::Map<Vector> acceleration(slope.data() + n, n);
-  for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    const SprungSystem::Spring& spring = system_.springs[i];
-    slope[place(kSprings + i)] = 0.0;
-    if (!spring.loaded) continue;
-    const Compression at = compression(i, z);
-    const double force = spring.law.at(at.depth, at.rate) / unit_;
-    acceleration -= force * spring.acting;
-    const double speed = at.rate / unit_;
-    slope[place(kSprings + i)] = spring.law.resistance(at.depth) * speed * speed;
-  }
-  if (system_.turning) add_inertia(acceleration);
-}
-
-// All in one pass: of a few modes more time would go to many passes than to the numbers.
-inline void Sprung::add_uncoupled(const State& z, double cosine, State& slope) const {
-  const Eigen::Index n = modes();
-  const double *moved = z.data(), *velocity = z.data() + n;
-  double *rate = slope.data(), *acceleration = slope.data() + n;
-  double forcing = 0.0, dissipation = 0.0;
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const double resistance = system_.damping(j, 0) * velocity[j];
-    rate[j] = scale_[j] * velocity[j];
-    acceleration[j] = push_[j] + force_[j] * cosine - stiffness_(j, 0) * moved[j] - resistance;
-    forcing += system_.force[j] * velocity[j];
-    dissipation += resistance * velocity[j];
-  }
-  const double unit = unit_ * unit_ / work_unit_;
-  slope[place(kWeight)] = slope[place(kConstraint)] = 0.0;
-  slope[place(kForcing)] = unit / unit_ * cosine * forcing;
-  slope[place(kDissipation)] = unit * dissipation;
-}
-
-inline void Sprung::add_coupled(const State& z, double cosine, double s, State& slope) {
   const Eigen::Index n = modes();
   const Eigen::Map<const Vector> moved(z.data(), n), velocity(z.data() + n, n);
   Eigen::Map<Vector> rate(slope.data(), n), acceleration(slope.data() + n, n);
   rate = scale_.cwiseProduct(velocity);
-  acceleration = push_ + force_ * cosine;
+  acceleration = push_;
+  if (system_.frequency > 0.0) acceleration += force_ * std::cos(theta_ + system_.frequency * s);
   if (stiffness_.cols() == 1)
     acceleration -= stiffness_.col(0).cwiseProduct(moved);
   else
@@ -280,21 +227,32 @@ inline void Sprung::add_coupled(const State& z, double cosine, double s, State& 
     turn(s, acceleration, slope);
   } else {
     acceleration -= resistance_;
-    add_powers(z, cosine, s, slope);
+    add_powers(z, resistance_, s, slope);
   }
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const SprungSystem::Spring& spring = system_.springs[i];
+    slope[place(kSprings + i)] = 0.0;
+    if (!spring.loaded) continue;
+    const Compression at = compression(i, z);
+    const double force = spring.law.at(at.depth, at.rate) / unit_;
+    acceleration -= force * spring.acting;
+    const double speed = at.rate / unit_;
+    slope[place(kSprings + i)] = spring.law.resistance(at.depth) * speed * speed;
+  }
+  if (system_.turning) add_inertia(acceleration);
 }
 
-inline void Sprung::add_powers(const State& z, double cosine, double s, State& slope) {
+inline void Sprung::add_powers(const State& z, const Vector& resistance, double s, State& slope) {
   const Eigen::Index n = modes();
   const Eigen::Map<const Vector> velocity(z.data() + n, n);
   const double unit = unit_ * unit_ / work_unit_;
   const auto& powers = system_.powers;
   slope[place(kForcing)] = slope[place(kWeight)] = slope[place(kConstraint)] = 0.0;
   if (system_.frequency > 0.0)
-    slope[place(kForcing)] =
-        unit / unit_ * cosine * (powers ? powers->forcing : system_.force).dot(velocity);
+    slope[place(kForcing)] = unit / unit_ * std::cos(theta_ + system_.frequency * s) *
+                             (powers ? powers->forcing : system_.force).dot(velocity);
   slope[place(kDissipation)] =
-      unit * (powers ? velocity.dot(powers->damping * velocity) : velocity.dot(resistance_));
+      unit * (powers ? velocity.dot(powers->damping * velocity) : velocity.dot(resistance));
   if (!powers) return;
   for (const SprungSystem::Holding& holding : powers->held)
     slope[place(kConstraint)] -=
