@@ -27,6 +27,7 @@
 #include "graze/base/angle.hpp"
 #include "graze/flow/exact/extended.hpp"
 #include "graze/motion/detail/motion_walk.hpp"
+#include "graze/motion/lanes/detail/lane_columns.hpp"
 #include "graze/orbit/search/settled.hpp"
 
 namespace {
@@ -86,7 +87,7 @@ class Cells : public SettleTasks {
   int modes_;
   std::size_t count_;
   std::atomic<std::size_t>& next_;
-  std::array<System, 64> systems_;
+  std::array<System, kLanes> systems_;
 };
 
 // Seconds a return, of one thread.

@@ -18,10 +18,7 @@ namespace {
 class StroboscopicMotion {
  public:
   StroboscopicMotion(const System& system, const State& start, const ExponentOptions& options)
-      : system_(system),
-        unit_(2 * system.modes()),
-        motion_(system, {}, start.q, start.qdot),
-        at_(motion_.state()) {
+      : system_(system), unit_(2 * system.modes()), motion_(system, {}, start.q, start.qdot) {
     const MotionScale scale = motion_scale(system);
     unit_ << Vector::Constant(system.modes(), scale.displacement), scale.velocity;
     segment_options_.closure_speed = options.closure_speed;
@@ -36,12 +33,13 @@ class StroboscopicMotion {
     const Matrix moved = unit_.asDiagonal() * directions;
     Deviations deviations{moved.topRows(n), moved.bottomRows(n),
                           Eigen::RowVectorXd::Zero(directions.cols())};
-    at_.instant = {};
-    motion_.go_on_from(at_);
-    TrajectorySegment passed = pass(system_, motion_, {1, 0.0}, segment_options_, &deviations);
+    MotionState<double> at = motion_.state();
+    at.instant = {};
+    motion_.go_on_from(at);
+    const TrajectorySegment passed =
+        pass(system_, motion_, {1, 0.0}, segment_options_, &deviations);
     failure_ = passed.failure;
     if (!failure_.empty()) return {};
-    at_ = std::move(passed.end);
     impacts_ = static_cast<long long>(passed.impacts.size());
     const bool stays =
         std::any_of(passed.impacts.begin(), passed.impacts.end(), [&](const SegmentImpact& impact) {
@@ -65,13 +63,12 @@ class StroboscopicMotion {
   // them.
   Eigen::Index rank() const { return rank_; }
   const std::string& failure() const { return failure_; }
-  State state() const { return {at_.q, at_.qdot}; }
+  State state() const { return {motion_.q(), motion_.qdot()}; }
 
  private:
   const System& system_;
-  Vector unit_;  // of (q, q')
-  Motion<double> motion_;
-  MotionState<double> at_;  // at the start of the period to be carried next
+  Vector unit_;            // of (q, q')
+  Motion<double> motion_;  // at the start of the period to be carried next
   SegmentOptions segment_options_;
   long long impacts_ = 0;
   Eigen::Index rank_ = 0;

@@ -43,11 +43,7 @@ bool has_lane(const System& system, const ExactFlow<double>& flow) {
 void LaneMotions::adopt(std::size_t lane, const System& system, const ExactFlow<double>& flow,
                         double closure_speed) {
   const double frequency = flow.frequency();
-  const auto set = [&](auto... place_and_value) {
-    [&]<class... Place>(double value, Place... place) {
-      columns_.row(place...)[lane] = value;
-    }(place_and_value...);
-  };
+  const auto set = [&](double value, auto... place) { columns_.row(place...)[lane] = value; };
   set(flow.period(), LaneRow::kPeriod);
   set(frequency / 2.0, LaneRow::kHalfFrequency);
   set(flow.phase({}) / 2.0, LaneRow::kHalfPhase);

@@ -1,5 +1,6 @@
 #include "graze/orbit/search/detail/followed_periods.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -25,9 +26,9 @@ void FollowedPeriods::go_on_from(const MotionState<double>& state) {
 }
 
 bool FollowedPeriods::is_clear() const {
-  for (const Contact contact : motion_.state().contacts)
-    if (contact != Contact::kClear) return false;
-  return true;
+  const std::vector<Contact>& contacts = motion_.state().contacts;
+  return std::all_of(contacts.begin(), contacts.end(),
+                     [](Contact contact) { return contact == Contact::kClear; });
 }
 
 void FollowedPeriods::follow() {

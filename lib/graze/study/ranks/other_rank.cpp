@@ -8,6 +8,7 @@
 
 #include "graze/base/errors.hpp"
 #include "graze/base/parallel.hpp"
+#include "graze/motion/lanes/detail/lane_columns.hpp"
 
 namespace graze {
 
@@ -100,8 +101,8 @@ void OtherRank::note_done(std::uint64_t block, bool is_finished, double seconds)
 std::uint64_t OtherRank::wish() const {
   constexpr double kSeconds = 0.05;
   constexpr double kMost = 1000.0;
-  constexpr int kFirst = 16;  // a thread, which may do them side by side
-  if (mean_seconds_ <= 0.0) return static_cast<std::uint64_t>(kFirst * threads_);
+  // At first as many as a thread may do side by side.
+  if (mean_seconds_ <= 0.0) return kLanes * static_cast<std::uint64_t>(threads_);
   return static_cast<std::uint64_t>(std::clamp(kSeconds * threads_ / mean_seconds_, 1.0, kMost));
 }
 

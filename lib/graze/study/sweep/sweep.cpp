@@ -59,26 +59,34 @@ class Sweeper {
     for (std::size_t k = b * block; k < end_of(b, block); ++k) {
       const std::string name = piece_name("row", k);
       const SweepRow* before = k == b * block ? nullptr : &*at(k - 1);
-      at(k) = recalled(name);
+      RowRun run;
+      at(k) = at_once(name, k, before, run);
       if (!at(k)) {
-        RowRun run;
-        if (begin(k, before, run)) {
-          co_await run;
-          if (!end(run)) co_return false;
-        }
-        keep(name, run.row);
-        at(k) = std::move(run.row);
+        co_await run;
+        at(k) = settled(name, run);
+        if (!at(k)) co_return false;
       }
       counter.add();
     }
     co_return true;
   }
 
-  std::optional<SweepRow> recalled(const std::string& name) const {
-    return options_.memory.recall ? options_.memory.recall(name) : std::nullopt;
+  // The k-th row where it is remembered or has no start; else nothing, and `run` is to be awaited.
+  std::optional<SweepRow> at_once(const std::string& name, std::size_t k, const SweepRow* before,
+                                  RowRun& run) const {
+    if (options_.memory.recall)
+      if (std::optional<SweepRow> known = options_.memory.recall(name)) return known;
+    if (begin(k, before, run)) return {};
+    return kept(name, std::move(run.row));
   }
-  void keep(const std::string& name, const SweepRow& row) const {
+  // Once it was awaited; nothing where it was stopped.
+  std::optional<SweepRow> settled(const std::string& name, RowRun& run) const {
+    if (!end(run)) return {};
+    return kept(name, std::move(run.row));
+  }
+  SweepRow kept(const std::string& name, SweepRow row) const {
     if (options_.memory.keep) options_.memory.keep(name, row);
+    return row;
   }
 
   // False where the row has no start, and says so.
@@ -135,15 +143,12 @@ class Sweeper {
       const SweepRow* there = found(k, recalled_there);
       if (!before || !there) co_return false;
       const std::string name = piece_name(what, k);
-      std::optional<SweepRow> again = recalled(name);
+      RowRun run;
+      std::optional<SweepRow> again = at_once(name, k, before, run);
       if (!again) {
-        RowRun run;
-        if (begin(k, before, run)) {
-          co_await run;
-          if (!end(run)) co_return false;
-        }
-        keep(name, run.row);
-        again = std::move(run.row);
+        co_await run;
+        again = settled(name, run);
+        if (!again) co_return false;
       }
       made.is_finished = k + 1 == end_row || is_same_attractor(*again, *there);
       made.rows.push_back(std::move(*again));

@@ -125,24 +125,20 @@ HWY_INLINE LaneSizes sizes_at(const LaneVector& lanes, std::size_t i) {
   return sizes;
 }
 
-// Whether no other stop is near the contact, and no chatter between several stops.
-HWY_INLINE Chosen is_lone(const LaneVector& lanes, Numbers hit, Numbers speed, Numbers time) {
+// Whether stop i has no part in the contact, unless it is the one that is hit, nor a chatter
+// between several stops.
+HWY_INLINE Chosen is_apart(const LaneVector& lanes, std::size_t i, const LaneSizes& sizes,
+                           Numbers hit, Numbers speed, Numbers time) {
   const LaneColumns& c = *lanes.columns;
   const Numbers eps = number(kClearlyAbove * kEps * static_cast<double>(c.modes() + 2));
-  Chosen lone = hn::Eq(speed, speed);
-  for (std::size_t i = 0; i < c.stops(); ++i) {
-    const LaneSizes sizes = sizes_at(lanes, i);
-    const Numbers gap = lanes.get(LaneStopRow::kGap, i);
-    Numbers open = gap;
-    for (std::size_t j = 0; j < c.modes(); ++j)
-      open =
-          hn::NegMulAdd(lanes.get(LanePairRow::kRow, i, j), lanes.get(LaneModeRow::kEnd, j), open);
-    const Numbers rounding = hn::Mul(eps, hn::Add(hn::Abs(gap), sizes.reach));
-    const Numbers near = hn::MulAdd(hn::Mul(eps, time), sizes.speed, rounding);
-    lone = hn::And(lone, hn::Or(is_stop(hit, i), hn::Gt(open, near)));
-    lone = hn::And(lone, hn::Gt(hn::Mul(speed, speed), hn::Mul(sizes.push, rounding)));
-  }
-  return lone;
+  const Numbers gap = lanes.get(LaneStopRow::kGap, i);
+  Numbers open = gap;
+  for (std::size_t j = 0; j < c.modes(); ++j)
+    open = hn::NegMulAdd(lanes.get(LanePairRow::kRow, i, j), lanes.get(LaneModeRow::kEnd, j), open);
+  const Numbers rounding = hn::Mul(eps, hn::Add(hn::Abs(gap), sizes.reach));
+  const Numbers near = hn::MulAdd(hn::Mul(eps, time), sizes.speed, rounding);
+  return hn::And(hn::Or(is_stop(hit, i), hn::Gt(open, near)),
+                 hn::Gt(hn::Mul(speed, speed), hn::Mul(sizes.push, rounding)));
 }
 
 // Impacts on single stops; returns those that were decided.
@@ -154,10 +150,13 @@ HWY_INLINE Chosen hit_stops(const LaneVector& lanes, Chosen contact) {
   for (std::size_t j = 0; j < c.modes(); ++j)
     speed = hn::MulAdd(of_hit(lanes, LanePairRow::kRow, hit, j),
                        lanes.get(LaneModeRow::kEndRate, j), speed);
+  const Numbers time = hn::Add(lanes.get(LaneRow::kLocal), lanes.get(LaneRow::kAt));
+  Chosen decided = hn::And(contact, hn::Gt(speed, lanes.get(LaneRow::kSlowest)));
   for (std::size_t i = 0; i < c.stops(); ++i) {
     const LaneSizes sizes = sizes_at(lanes, i);
     size = hn::Max(size, sizes.speed);
     push = hn::Max(push, sizes.push);
+    if (c.stops() > 1) decided = hn::And(decided, is_apart(lanes, i, sizes, hit, speed, time));
   }
   const Numbers target = hn::Neg(hn::Mul(of_hit(lanes, LaneStopRow::kRestitution, hit), speed));
   const Numbers norm = of_hit(lanes, LaneStopRow::kNorm, hit);
@@ -174,13 +173,9 @@ HWY_INLINE Chosen hit_stops(const LaneVector& lanes, Chosen contact) {
                                lanes.get(LaneModeRow::kAfterRate, j)));
   }
   lanes.keep(c.row(LaneRow::kSpeed), contact, speed);
-  const Numbers time = hn::Add(lanes.get(LaneRow::kLocal), lanes.get(LaneRow::kAt));
   const Numbers rounding = hn::Mul(number(kClearlyAbove * kEps), hn::MulAdd(time, push, size));
-  Chosen decided = hn::And(contact, hn::Gt(speed, lanes.get(LaneRow::kSlowest)));
   decided = hn::And(decided, hn::Gt(hn::Neg(target), rounding));
-  decided = hn::And(decided, hn::Lt(time, lanes.get(LaneRow::kPeriod)));
-  if (c.stops() > 1) decided = hn::And(decided, is_lone(lanes, hit, speed, time));
-  return decided;
+  return hn::And(decided, hn::Lt(time, lanes.get(LaneRow::kPeriod)));
 }
 
 // The gaps at the start of the flight that begins in kEnd, kAfterRate.
