@@ -49,7 +49,7 @@ const Outcome& outcome_of(const FoundResult& result) {
 }
 
 std::string document_of(const FoundResult& result) {
-  Spool events("/tmp");
+  Spool events;
   std::string text;
   const auto collect = [&](const Document& whole) {
     whole.read([&](std::string_view piece) { text += piece; });

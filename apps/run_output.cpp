@@ -20,14 +20,6 @@ constexpr std::size_t kPictureEvents = 100'000;
 // What is kept for a picture that nobody asked for yet has so many numbers, some megabytes.
 constexpr std::size_t kStoredNumbers = 100'000;
 
-// Beside the results, where room for them is needed anyway, or else among the temporary files.
-std::filesystem::path spool_folder(const SimulateCommand& command) {
-  if (!command.out.empty()) return command.out;
-  std::error_code error;
-  const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
-  return error ? "/tmp" : folder;
-}
-
 }  // namespace
 
 RunOutput::RunOutput(const SimulateCommand& command, const System& system,
@@ -41,7 +33,8 @@ RunOutput::RunOutput(const SimulateCommand& command, const System& system,
       writes_document_(command.json || !command.out.empty()),
       samples_all_(!command.plot.empty() || records_samples_),
       draws_((!command.plot.empty() || !command.out.empty()) && !section),
-      events_(spool_folder(command)),
+      // Beside the results, where room for them is needed anyway.
+      events_(command.out.empty() ? Spool() : Spool(command.out)),
       section_(std::move(section)),
       rate_(rate),
       most_samples_(command.show == RunPicture::kSpectrum ? kSpectrumSamples : kPictureSamples) {

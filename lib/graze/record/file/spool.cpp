@@ -12,6 +12,12 @@ constexpr std::size_t kPiece = 64 * 1024;
 
 }  // namespace
 
+Spool::Spool() {
+  std::error_code error;
+  folder_ = std::filesystem::temp_directory_path(error);
+  if (error) folder_ = "/tmp";
+}
+
 void Spool::append(std::string_view text) {
   size_ += text.size();
   if (!file_) {

@@ -18,7 +18,8 @@ using TextSink = std::function<void(std::string_view)>;
 // with the program, however that ends. Throws FileError.
 class Spool {
  public:
-  // `folder`: where to put a long text.
+  // Where to put a long text: in a folder, or among the temporary files.
+  Spool();
   explicit Spool(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   void append(std::string_view text);
