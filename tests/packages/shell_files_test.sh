@@ -4,7 +4,13 @@
 # FOLDER is where the build wrote them. What a shell completes is asked of the shell itself, where it is
 # installed. Exit 1 when anything is wrong.
 set -uo pipefail
-program=$1 folder=$2 scene=$3/02_wagg_momentum.toml
+program=$1 folder=$2
+# A path that is longer than a terminal's line, wherever the project lies.
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+scenes=$scratch/a_folder_whose_name_alone_is_longer_than_what_stands_in_one_line_of_most_terminals
+ln -s "$3" "$scenes"
+scene=$scenes/02_wagg_momentum.toml
 failed=0
 fail() { echo "$*" >&2; failed=1; }
 commands=$("$program" help | awk '/^Subcommands:/ { below = 1; next } /^$/ { below = 0 } below && /^  [a-z]/ { print $1 }')
@@ -49,7 +55,7 @@ same "bash: parameters, --parameter=" "$(in_bash continue "$scene" --parameter =
 same "bash: settings" "$(in_bash check "$scene" -s stop.g)" "stop.gap="
 same "bash: words" "$(in_bash simulate "$scene" --record "")" "$(printf 'events\nnone\nsamples')"
 same "bash: kinds" "$(in_bash init "")" "$(printf 'beam\nhub\nmatrices\noscillator')"
-same "bash: scenes" "$(in_bash check "$3/02")" "$scene"
+same "bash: scenes" "$(in_bash check "$scenes/02")" "$scene"
 
 if command -v fish > /dev/null; then
   echo "== fish"
@@ -65,12 +71,13 @@ if command -v fish > /dev/null; then
 fi
 if command -v zsh > /dev/null; then
   echo "== zsh"
-  # Its widgets work at a terminal only: what stands there once the tabulator was pressed.
+  # Its widgets work at a terminal only: what stands there once the tabulator was pressed, in one line
+  # however long the scene's path is.
   in_zsh() {
     timeout 60 zsh -f -c '
       zmodload zsh/zpty
       zpty shell zsh -f -i
-      zpty -w shell "PROMPT=; fpath=($2 \$fpath); PATH=$3:\$PATH; autoload -Uz compinit; compinit -u -D; unset zle_bracketed_paste; print rea\"\"dy"
+      zpty -w shell "stty columns 4000; PROMPT=; fpath=($2 \$fpath); PATH=$3:\$PATH; autoload -Uz compinit; compinit -u -D; unset zle_bracketed_paste; print rea\"\"dy"
       while zpty -r shell line; do [[ $line == *ready* && $line != *print* ]] && break; done
       sleep 0.5
       zpty -w -n shell "$1"$'"'\\t'"'
