@@ -1,5 +1,7 @@
 #include "graze/orbit/search/repetition.hpp"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -52,8 +54,11 @@ void PeriodHistory::add_impact(const MetImpact& impact, const Vector& q, const V
 
 void PeriodHistory::end_period(const Vector& q, const Vector& qdot, Contacts contacts) {
   Period period{counted_, static_cast<int>(impacts_.end() - counted_), contacts};
-  first_phases_.push(period.impacts > 0 ? impacts_[counted_].phase : 0.0);
-  if (periods() > 0) period.counts = periods_[periods() - 1].counts << 8;
+  const bool is_first = periods() == 0;
+  first_phases_.push(period.impacts > 0 ? impacts_[counted_].phase
+                     : is_first         ? 0.0
+                                        : first_phases_[periods() - 1]);
+  if (!is_first) period.counts = periods_[periods() - 1].counts << 8;
   period.counts |= static_cast<std::uint64_t>(std::min(period.impacts, 255));
   periods_.push(period);
   counted_ = impacts_.end();
@@ -134,37 +139,42 @@ double PeriodHistory::state_difference(long long period, int p) const {
 }
 
 // Most motions are told from what they were p periods ago by how many impacts the last periods
-// have, or by the first impact of the last one.
+// have, or by the first impact of the latest period that has any, which is one of those compared
+// unless p is short.
 int PeriodHistory::repetition(int longest, int repetitions, double tolerance) const {
   const long long most = std::min<long long>(longest, (periods() - oldest()) / repetitions);
   if (most <= 0) return 0;
   const long long last = periods() - 1;
-  const Period& now = periods_[last];
-  const double phase = first_phases_[last];
+  const bool any = impacts_.begin() < impacts_.end();
+  const long long hit = any ? impacts_[impacts_.end() - 1].period : -1;
+  const long long clear = std::min(most, (last - hit) / (repetitions - 1));
+  for (int p = 1; p <= clear; ++p)
+    if (repeats(p, repetitions, tolerance)) return p;
+  if (clear == most) return 0;
   // Two speeds leave less rounding than the one that is known.
-  const double apart = now.impacts > 0
-                           ? std::max(tolerance, impact_rounding(impacts_[now.first].speed, speed_))
-                           : tolerance;
-  for (int p = 1; p <= static_cast<int>(most); ++p) {
+  const double apart =
+      std::max(tolerance, impact_rounding(impacts_[periods_[hit].first].speed, speed_));
+  const double phase = first_phases_[last];
+  const Eigen::Map<const Eigen::ArrayXd> phases(&first_phases_[last - most], most);
+  if (!((phases - phase).abs().minCoeff() <= apart)) return 0;
+  const std::uint64_t counts = periods_[last].counts;
+  for (int p = static_cast<int>(clear) + 1; p <= most; ++p) {
     if (std::abs(first_phases_[last - p] - phase) > apart) continue;
     const int compared = std::min((repetitions - 1) * p, 8);
-    if ((now.counts ^ periods_[last - p].counts) << (64 - 8 * compared) != 0) continue;
+    if ((counts ^ periods_[last - p].counts) << (64 - 8 * compared) != 0) continue;
     if (repeats(p, repetitions, tolerance)) return p;
   }
   return 0;
 }
 
 bool PeriodHistory::repeats(int p, int repetitions, double tolerance) const {
-  const long long now = periods();
-  long long impacts = 0;
+  const long long now = periods(), from = now - static_cast<long long>(repetitions - 1) * p;
+  const bool impacts = impact_count_since(from) > 0;
   // From the newest back: a motion that does not repeat is told by its last period.
-  for (long long n = now - 1; n >= now - static_cast<long long>(repetitions - 1) * p; --n) {
-    if (!(impact_difference(n, p) <= tolerance)) return false;
-    impacts += periods_[n].impacts;
-  }
-  if (impacts > 0) return true;
-  for (long long n = now - 1; n >= now - static_cast<long long>(repetitions - 1) * p; --n)
-    if (!(state_difference(n, p) <= tolerance)) return false;
+  for (long long n = now - 1; n >= from; --n)
+    if (!(impact_difference(n, p) <= tolerance) ||
+        (!impacts && !(state_difference(n, p) <= tolerance)))
+      return false;
   return true;
 }
 

@@ -98,9 +98,6 @@ class PeriodHistory {
     // stands for more.
     std::uint64_t counts = 0;
   };
-  struct Difference {
-    double impacts = 0.0, states = 0.0;
-  };
 
   void push_state(Tail<double>& list, const Vector& q, const Vector& qdot) const;
   State state(const Tail<double>& list, long long index) const;
@@ -114,7 +111,8 @@ class PeriodHistory {
   double speed_;  // scale of impact speeds, m/s
   long long most_;
   Tail<Period> periods_;
-  Tail<double> first_phases_;  // of the first impact of each period; 0 where there is none
+  // Of the first impact of each period, or of the latest one before it that has any; 0 without.
+  Tail<double> first_phases_;
   Tail<MetImpact> impacts_;
   Tail<double> before_;         // 2N numbers an impact
   Tail<double> period_states_;  // 2N numbers a period and one more: at its start
