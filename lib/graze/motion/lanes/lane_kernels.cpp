@@ -18,8 +18,6 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-inline constexpr std::size_t kTogether = 2;
-
 // How long the gap at stop i is open for certain, and whether it is met for certain within kBall.
 HWY_INLINE void look_at_stop(const LaneVector& lanes, std::size_t i) {
   const LaneColumns& c = *lanes.columns;
@@ -159,7 +157,7 @@ HWY_INLINE void arrive(const LaneVector& lanes, Chosen contact, Chosen end, Chos
   leave(lanes, hn::AndNot(begins, arrived), arrivals);
 }
 
-// Arrivals wait for a few others, as a vector does several in the time of one.
+// Arrivals wait for others, a quarter of a vector, as it does several in the time of one.
 HWY_INLINE void advance(const LaneVector& lanes, LaneArrivals& arrivals) {
   const Chosen contact = lanes.is_at(LaneStage::kContact), end = lanes.is_at(LaneStage::kEnd);
   const Chosen fresh = lanes.is_at(LaneStage::kBegin);
@@ -168,7 +166,8 @@ HWY_INLINE void advance(const LaneVector& lanes, LaneArrivals& arrivals) {
   if (searches) search_lanes(lanes, search, finish, arrivals);
   const Chosen waiting = hn::Or(hn::Or(contact, end), fresh);
   const std::size_t wait = hn::CountTrue(Lanes(), waiting);
-  if (wait >= kTogether || (wait > 0 && !searches)) arrive(lanes, contact, end, fresh, arrivals);
+  if (4 * wait > hn::Lanes(Lanes()) || (wait > 0 && !searches))
+    arrive(lanes, contact, end, fresh, arrivals);
 }
 
 // Step by step for all vectors, so that one has its turn while another waits for a root or
