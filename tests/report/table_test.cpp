@@ -66,11 +66,11 @@ TEST(Table, IsCutIntoBlocksThatRepeatTheKeys) {
   table.add({"1", "0.038003540253", "0.0991854736588", "no", "1.99513 - 2.017754i"});
   table.add({"", "3.179596193843", "0.0991854736588"});
   // The second impact has no part in what is told of the whole orbit.
-  EXPECT_EQ(lines_of(table.text(50)), (Lines{"  orbit           phase            speed",
-                                             "      1  0.038003540253  0.0991854736588",
-                                             "         3.179596193843  0.0991854736588", "",
-                                             "  orbit  stable           multiplier",
-                                             "      1      no  1.99513 - 2.017754i"}));
+  EXPECT_EQ(
+      lines_of(table.text(50)),
+      (Lines{"  orbit           phase            speed", "      1  0.038003540253  0.0991854736588",
+             "         3.179596193843  0.0991854736588", "", "  orbit  stable           multiplier",
+             "      1      no  1.99513 - 2.017754i"}));
 }
 
 TEST(Table, CountsCharactersNotBytes) {

@@ -66,8 +66,8 @@ TEST(Parameter, NamesAreThoseOfTheScene) {
             (std::vector<std::string>{
                 "modal.frequencies.1", "modal.frequencies.2", "modal.inertia.1", "modal.inertia.2",
                 "gravity.acceleration", "stop.shape.1", "stop.shape.2", "stop.gap",
-                "stop.restitution.1", "stop.restitution.2", "stop.restitution.3",
-                "stop.2.shape.1", "stop.2.shape.2", "stop.2.gap", "stop.2.restitution"}));
+                "stop.restitution.1", "stop.restitution.2", "stop.restitution.3", "stop.2.shape.1",
+                "stop.2.shape.2", "stop.2.gap", "stop.2.restitution"}));
 }
 
 TEST(Parameter, DampingHasTheNamesOfItsKind) {

@@ -26,7 +26,7 @@ struct PublishedValue {
   std::string script{};      // that computes it, from the project's root
   std::string printed_as{};  // the name that the script prints before it; required of a number with
                              // so few digits that any other may be the same
-  std::string because{};  // who errs and by what, or why the tolerance is another
+  std::string because{};     // who errs and by what, or why the tolerance is another
 
   // What Graze is held to, and by how much it may be off, in the number's own unit.
   double expected() const { return std::stod(independent ? *independent : *published); }
