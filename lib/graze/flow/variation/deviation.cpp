@@ -18,7 +18,8 @@ struct ModeGrowth {
 
 // How the end of a flight from a given state moves when it begins later, per second: the response
 // from rest to the rate of the force, -W f sin(theta + W s). Its power series while that
-// converges like 2^n/n!, where the difference of free and harmonic parts would cancel.
+// converges like x^n/n!, x = (2 delta + omega + W) s < 2, where the difference of free and harmonic
+// parts would cancel.
 ModeGrowth late_start_by_series(const ModeFlow<double>& mode, double frequency, double theta,
                                 double s) {
   const double turn = frequency * s, damping = 2.0 * mode.delta * s;
@@ -27,7 +28,11 @@ ModeGrowth late_start_by_series(const ModeFlow<double>& mode, double frequency, 
   double force = frequency * mode.force * s * s;  // times turn^n/n!
   double before = 0.0, now = 0.0;                 // coefficients n and n + 1, times s^n, s^(n+1)
   ModeGrowth sum;
-  for (int n = 0; n < 60; ++n) {
+  const double reach = damping + (mode.omega + frequency) * s;
+  // The force itself may pass through zero: its rate, x times as large, has all digits then too.
+  constexpr double kLeft = 0x1p-80;
+  double share = 1.0;  // x^n/n!, which no coefficient exceeds by its share of the first
+  for (int n = 0; share > kLeft; ++n) {
     const double next = (force * quarter[n % 4] - damping * (n + 1) * now - stiffness * before) /
                         ((n + 1) * (n + 2));
     before = now;
@@ -35,13 +40,21 @@ ModeGrowth late_start_by_series(const ModeFlow<double>& mode, double frequency, 
     sum.q += now;
     sum.qdot += (n + 2) * now;
     force *= turn / (n + 1);
+    share *= reach / (n + 1);
   }
   sum.qdot /= s;
   return sum;
 }
 
+// Of an arc of s seconds from forcing phase theta.
+struct ForcingTurn {
+  double frequency, theta, s;
+  Complex start = std::polar(1.0, theta), end = std::polar(1.0, theta + frequency * s);
+};
+
 ModeGrowth late_start(const ModeFlow<double>& mode, const FreeBasis<double>& basis,
-                      double frequency, double theta, double s) {
+                      const ForcingTurn& forcing) {
+  const double frequency = forcing.frequency, theta = forcing.theta, s = forcing.s;
   if ((2.0 * mode.delta + mode.omega + frequency) * s < 2.0)
     return late_start_by_series(mode, frequency, theta, s);
   if (mode.kind == ModeKind::kFromRest) {
@@ -50,13 +63,12 @@ ModeGrowth late_start(const ModeFlow<double>& mode, const FreeBasis<double>& bas
     return {frequency * mode.force * x.re, frequency * mode.force * x.im};
   }
   const Complex forced{mode.forced.re, mode.forced.im}, rate{0.0, frequency};
-  const Complex start = std::polar(1.0, theta), end = std::polar(1.0, theta + frequency * s);
-  const double q = (rate * forced * start).real(), qdot = (rate * rate * forced * start).real();
+  const Complex start = rate * forced * forcing.start, end = rate * forced * forcing.end;
+  const double q = start.real(), qdot = (rate * start).real();
   const double w2 = mode.omega * mode.omega;
-  return {(rate * forced * end).real() - (basis.cosine + mode.delta * basis.sine) * q -
-              basis.sine * qdot,
-          (rate * rate * forced * end).real() + w2 * basis.sine * q -
-              (basis.cosine - mode.delta * basis.sine) * qdot};
+  return {
+      end.real() - (basis.cosine + mode.delta * basis.sine) * q - basis.sine * qdot,
+      (rate * end).real() + w2 * basis.sine * q - (basis.cosine - mode.delta * basis.sine) * qdot};
 }
 
 // What a mode adds to a deviation: of its displacement by both, of its velocity by both, and of
@@ -66,11 +78,14 @@ struct ModalGrowth {
   Vector q_by_delay, qdot_by_delay;
 };
 
-ModalGrowth modal_growth_of(const Arc<double>& arc, double s) {
+ModalGrowth modal_growth_of(const Arc<double>& arc, double s, bool is_late) {
   const ExactFlow<double>& flow = arc.flow();
   const Eigen::Index n = flow.modes();
   ModalGrowth of{Eigen::ArrayXd(n), Eigen::ArrayXd(n), Eigen::ArrayXd(n),
                  Eigen::ArrayXd(n), Vector::Zero(n),   Vector::Zero(n)};
+  is_late = is_late && flow.forced() && s > 0.0;
+  const ForcingTurn forcing = is_late ? ForcingTurn{flow.frequency(), arc.start_phase(), s}
+                                      : ForcingTurn{0.0, 0.0, 0.0, {}, {}};
   for (int j = 0; j < flow.modes(); ++j) {
     const ModeFlow<double>& mode = flow.mode(j);
     const FreeBasis<double> basis = free_basis(mode.omega, mode.delta, mode.discriminant, s);
@@ -80,8 +95,8 @@ ModalGrowth modal_growth_of(const Arc<double>& arc, double s) {
     of.q_by_qdot[j] = basis.sine;
     of.qdot_by_q[j] = -stiffness * basis.sine;
     of.qdot_by_qdot[j] = basis.cosine_minus_one - mode.delta * basis.sine;
-    if (!flow.forced() || !(s > 0.0)) continue;
-    const ModeGrowth late = late_start(mode, basis, flow.frequency(), arc.start_phase(), s);
+    if (!is_late) continue;
+    const ModeGrowth late = late_start(mode, basis, forcing);
     of.q_by_delay[j] = late.q;
     of.qdot_by_delay[j] = late.qdot;
   }
@@ -90,7 +105,7 @@ ModalGrowth modal_growth_of(const Arc<double>& arc, double s) {
 
 // A column at a time: they lie together in memory.
 Deviations modal_growth(const Arc<double>& arc, double s, const Deviations& start) {
-  const ModalGrowth of = modal_growth_of(arc, s);
+  const ModalGrowth of = modal_growth_of(arc, s, !start.delay.isZero(0.0));
   Deviations change{Matrix(start.q.rows(), start.count()), Matrix(start.q.rows(), start.count()),
                     Eigen::RowVectorXd::Zero(start.count())};
   for (Eigen::Index k = 0; k < start.count(); ++k) {
@@ -107,6 +122,7 @@ Deviations modal_growth(const Arc<double>& arc, double s, const Deviations& star
 
 Deviations growth(const ExactPhase<double>& phase, double s, const Deviations& start) {
   const ConstrainedStructure<double>& structure = phase.structure();
+  if (structure.is_free() && phase.arc()) return modal_growth(*phase.arc(), s, start);
   const Matrix& basis = structure.basis;
   Deviations reduced = start;
   if (!structure.is_free()) {

@@ -88,7 +88,8 @@ void CarriedDeviations::meet(const Arrival<double>& arrival, const Eigen::RowVec
                              const std::vector<int>& closed) {
   const Stop& s = stop(arrival.stop);
   move_instant(*deviations_, rate_now(closed), -reach / arrival.speed);
-  deviations_->q -= s.row * (s.row.transpose() * deviations_->q) / s.row.squaredNorm();
+  const Eigen::RowVectorXd left = s.row.transpose() * deviations_->q / s.row.squaredNorm();
+  deviations_->q.noalias() -= s.row * left;
 }
 
 void CarriedDeviations::meet_at_once(const Arrival<double>& arrival) {
@@ -129,6 +130,13 @@ void CarriedDeviations::close(const std::vector<int>& stops, const State& before
 void CarriedDeviations::undo(const std::vector<int>& stops, const Vector& parts,
                              Matrix& columns) const {
   if (columns.cols() == 0) return;
+  if (stops.size() == 1) {
+    const Stop& s = stop(stops.front());
+    const double part = parts[0] / s.row.dot(s.direction());
+    const Eigen::RowVectorXd undone = part * (s.row.transpose() * columns);
+    columns.noalias() -= s.direction() * undone;
+    return;
+  }
   const Matrix rows = rows_of(system_, stops), directions = directions_of(system_, stops);
   const Matrix undone = parts.asDiagonal() * (rows.transpose() * columns);
   columns -= directions * LuFactors(rows.transpose() * directions).solve_columns(undone);
