@@ -74,6 +74,8 @@ class PeriodHistory {
   template <class T>
   class Tail {
    public:
+    // Room from the start for as much as most motions leave.
+    Tail() { items_.reserve(kRoom); }
     void push(const T& item) { items_.push_back(item); }
     const T& operator[](long long i) const { return items_[static_cast<std::size_t>(i - base_)]; }
     long long begin() const { return begin_; }
@@ -87,6 +89,7 @@ class PeriodHistory {
     }
 
    private:
+    static constexpr std::size_t kRoom = 256;
     std::vector<T> items_;
     long long base_ = 0, begin_ = 0;
   };
