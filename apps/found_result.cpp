@@ -31,11 +31,11 @@ void FoundResult::hear(const Sample& sample) {
   write_sample_row(*system_, sample, *probes_, samples_->add());
 }
 
-void FoundResult::begin_run(const System& system, const std::vector<ProbeRow>& probes,
-                            bool energy) {
+void FoundResult::begin_run(const System& system, const std::vector<ProbeRow>& probes, bool energy,
+                            double samples) {
   system_ = &system;
   probes_ = &probes;
-  samples_ = std::make_unique<Rows>(names_in(samples_csv_header(system, energy, probes)));
+  samples_ = std::make_unique<Rows>(names_in(samples_csv_header(system, energy, probes)), samples);
 }
 
 void FoundResult::take(AnyRecord record, const Scene& scene) {

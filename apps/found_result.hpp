@@ -18,7 +18,8 @@ class FoundResult final : public Caller {
   void hear_progress(double fraction) override { progress_ = fraction; }
   void hear(const Event& event) override { events_.push_back(event); }
   void hear(const Sample& sample) override;
-  void begin_run(const System& system, const std::vector<ProbeRow>& probes, bool energy) override;
+  void begin_run(const System& system, const std::vector<ProbeRow>& probes, bool energy,
+                 double samples) override;
   void take(AnyRecord record, const Scene& scene) override;
 
   void stop() { stop_ = true; }

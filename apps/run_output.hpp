@@ -26,16 +26,16 @@ class RunOutput {
     double rate = 0.0;
     long long stride = 1;
   };
-  // `system` and `probes` must outlive it.
+  // `system` and `probes` must outlive it. `end` of the run, s.
   RunOutput(const SimulateCommand& command, const System& system,
             const std::vector<ProbeRow>& probes, std::optional<RunSection> section,
-            const Rate& rate);
+            const Rate& rate, double end);
 
   void add(const Event& event);
   void add(const Sample& sample);
 
-  // s: from when on samples are wanted of a run until `end`, s.
-  double samples_from(double end);
+  // s: from when on samples are wanted.
+  double samples_from() const { return shown_from_; }
 
   bool wants_events() const {
     return records_events_ || draws_ || is_seen(DiagramSection::kImpact);

@@ -204,7 +204,7 @@ Simulation run_listened(const System& system, const State& start, const std::opt
   if (output.wants_events()) listeners.event = [&](const Event& event) { output.add(event); };
   if (output.wants_samples()) listeners.sample = [&](const Sample& sample) { output.add(sample); };
   listeners.sample_rate = rate;
-  listeners.sample_from = output.samples_from(end_of(options, system));
+  listeners.sample_from = output.samples_from();
   return cut ? resume(system, cut->state, options, listeners)
              : simulate(system, start, options, listeners);
 }
@@ -285,7 +285,8 @@ int run(const SimulateCommand& command) {
 
   prepare_output(command);
   note_call(command, record.info);
-  RunOutput output(command, record.system, record.probes, std::move(plan.section), plan.listened);
+  RunOutput output(command, record.system, record.probes, std::move(plan.section), plan.listened,
+                   end_of(plan.options, record.system));
   record.run = run_listened(record.system, plan.start, plan.cut, plan.options, plan.listened.rate,
                             command, output);
   record.outcome = simulation_outcome(record.run);
