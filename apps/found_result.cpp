@@ -35,7 +35,7 @@ void FoundResult::begin_run(const System& system, const std::vector<ProbeRow>& p
                             double samples) {
   system_ = &system;
   probes_ = &probes;
-  samples_ = std::make_unique<Rows>(names_in(samples_csv_header(system, energy, probes)), samples);
+  samples_ = std::make_unique<Rows>(sample_columns(system, energy, probes), samples);
 }
 
 void FoundResult::take(AnyRecord record, const Scene& scene) {

@@ -52,7 +52,10 @@ RunOutput::RunOutput(const SimulateCommand& command, const System& system,
     event_table_.emplace(folder / "events.csv");
     event_table_->append(events_csv_header());
   }
-  if (records_samples_) {
+  if (records_samples_ && command.sample_format == "npz") {
+    sample_arrays_.emplace(folder / "samples.npz",
+                           sample_columns(system, command.keeps_balance(), probes));
+  } else if (records_samples_) {
     sample_table_.emplace(folder / "samples.csv");
     sample_table_->append(samples_csv_header(system, command.keeps_balance(), probes));
   }
@@ -78,6 +81,7 @@ void RunOutput::add(const Sample& sample) {
       rate_.stride == 1 || std::llround(sample.time * rate_.rate) % rate_.stride == 0;
   if (caller_ && records_samples_ && tabled) caller_->hear(sample);
   if (sample_table_ && tabled) sample_table_->append(samples_csv_row(system_, sample, probes_));
+  if (sample_arrays_ && tabled) write_sample_row(system_, sample, probes_, sample_arrays_->add());
   if (draws_) {
     last_samples_.push_back(sample);
     trim();
@@ -97,8 +101,10 @@ std::vector<PendingFile> RunOutput::take_tables() {
   std::vector<PendingFile> tables;
   if (event_table_) tables.push_back(std::move(*event_table_));
   if (sample_table_) tables.push_back(std::move(*sample_table_));
+  if (sample_arrays_) tables.push_back(sample_arrays_->finished());
   event_table_.reset();
   sample_table_.reset();
+  sample_arrays_.reset();
   return tables;
 }
 

@@ -7,6 +7,7 @@
 
 #include "command.hpp"
 #include "graze/record/file/detail/files.hpp"
+#include "graze/record/file/detail/numpy_archive.hpp"
 #include "graze/record/file/spool.hpp"
 #include "graze/record/records.hpp"
 
@@ -62,6 +63,7 @@ class RunOutput {
   bool records_events_, records_samples_, writes_document_, samples_all_, draws_;
   double shown_from_ = 0.0;  // s
   std::optional<PendingFile> event_table_, sample_table_;
+  std::optional<NumpyArchive> sample_arrays_;  // in place of a table
   Spool events_;
   EventExcerpt excerpt_;
   std::deque<Event> last_events_;

@@ -48,6 +48,8 @@ SimulationOptions simulation_options(const SimulateCommand& command, const Scene
     throw InputError("--periods: it must not exceed 2^53 forcing periods");
   if (command.sample_rate && command.record != "samples")
     throw InputError("--sample-rate: it needs --record samples");
+  if (command.sample_format != "csv" && (command.record != "samples" || command.out.empty()))
+    throw InputError("--sample-format: it needs --record samples and --out");
   return options;
 }
 

@@ -66,23 +66,28 @@ std::string events_csv_row(const Event& event) {
   return text + "\n";
 }
 
+std::vector<std::string> sample_columns(const System& system, bool energy,
+                                        const std::vector<ProbeRow>& probes) {
+  std::vector<std::string> names = {"time"};
+  const auto add = [&](const char* name, std::size_t count) {
+    for (std::size_t i = 1; i <= count; ++i) names.push_back(fmt::format("{}{}", name, i));
+  };
+  if (system.turns()) names.insert(names.end(), {"angle", "rate"});
+  const auto modes = static_cast<std::size_t>(system.modes() - (system.turns() ? 1 : 0));
+  add("q", modes);
+  add("qdot", modes);
+  add("gap", system.stops.size());
+  add("force", system.stops.size());
+  if (energy)
+    names.insert(names.end(), {"energy", "work_forcing", "work_load", "work_constraint",
+                               "work_impacts", "dissipation", "work_contact"});
+  add("probe_", probes.size());
+  return names;
+}
+
 std::string samples_csv_header(const System& system, bool energy,
                                const std::vector<ProbeRow>& probes) {
-  std::string text = "time";
-  const auto columns = [&](const char* name, std::size_t count) {
-    for (std::size_t i = 1; i <= count; ++i)
-      fmt::format_to(std::back_inserter(text), ",{}{}", name, i);
-  };
-  if (system.turns()) text += ",angle,rate";
-  const auto modes = static_cast<std::size_t>(system.modes() - (system.turns() ? 1 : 0));
-  columns("q", modes);
-  columns("qdot", modes);
-  columns("gap", system.stops.size());
-  columns("force", system.stops.size());
-  if (energy)
-    text += ",energy,work_forcing,work_load,work_constraint,work_impacts,dissipation,work_contact";
-  columns("probe_", probes.size());
-  return text + "\n";
+  return fmt::format("{}\n", fmt::join(sample_columns(system, energy, probes), ","));
 }
 
 std::size_t sample_numbers(const System& system, const Sample& sample,

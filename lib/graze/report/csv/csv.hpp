@@ -25,6 +25,8 @@ std::string events_csv_row(const Event& event);
 inline constexpr std::size_t kEventNumbers = 11;
 void write_event_row(const Event& event, double* row);
 // With `energy` the entries of the energy balance follow, then the probes.
+std::vector<std::string> sample_columns(const System& system, bool energy,
+                                        const std::vector<ProbeRow>& probes = {});
 std::string samples_csv_header(const System& system, bool energy,
                                const std::vector<ProbeRow>& probes = {});
 std::string samples_csv_row(const System& system, const Sample& sample,
