@@ -1,6 +1,7 @@
 // Long runs: memory that does not grow, files that appear whole or not at all, interrupts.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "apps/program.hpp"

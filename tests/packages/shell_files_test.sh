@@ -26,8 +26,16 @@ for command in $commands; do
   done
   zcat "$folder/man/graze.1.gz" | grep -q "^.BR graze.-$command (1)" || fail "graze(1) does not name $command"
 done
+# Of graze-mpi, whose ranks share what shards share.
+page=$(zcat "$folder/man_mpi/graze-mpi.1.gz" | sed 's/\\-/-/g; s/\\f[BIR]//g')
+for command in $commands; do
+  shared=$(options_of "$command" | grep -cx -e --shard)
+  named=$(grep -cx ".BR graze-$command (1),*" <<< "$page")
+  [ "$shared" = "$named" ] || fail "graze-mpi(1): $command"
+done
+[ "$(grep -c '^.BR graze-' <<< "$page")" = 3 ] || fail "graze-mpi(1) does not name the three commands with blocks"
 if command -v man > /dev/null; then
-  for page in "$folder"/man/*.gz; do
+  for page in "$folder"/man/*.gz "$folder"/man_mpi/*.gz; do
     told=$(LC_ALL=C.UTF-8 MANROFFSEQ='' MANWIDTH=80 man --warnings -E UTF-8 -l -Tutf8 -Z "$page" 2>&1 > /dev/null)
     [ -z "$told" ] || fail "$page: $told"
   done
