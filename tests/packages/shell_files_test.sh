@@ -9,7 +9,7 @@ program=$1 folder=$2
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 scenes=$scratch/a_folder_whose_name_alone_is_longer_than_what_stands_in_one_line_of_most_terminals
-ln -s "$3" "$scenes"
+ln -s "$(realpath "$3")" "$scenes"
 scene=$scenes/02_wagg_momentum.toml
 failed=0
 fail() { echo "$*" >&2; failed=1; }
