@@ -1,6 +1,5 @@
 #include "found_result.hpp"
 
-#include <sstream>
 #include <variant>
 
 #include "graze/record/file/spool.hpp"
@@ -11,13 +10,6 @@
 
 namespace graze {
 namespace {
-
-std::vector<std::string> names_in(const std::string& header) {
-  std::vector<std::string> names;
-  std::istringstream line(header.substr(0, header.find('\n')));
-  for (std::string name; std::getline(line, name, ',');) names.push_back(name);
-  return names;
-}
 
 std::vector<Table> tables(const FoundResult& result) {
   return std::visit([](const auto& record) { return tables_of(record); }, *result.record());
@@ -75,25 +67,12 @@ std::vector<std::string> table_names(const FoundResult& result) {
   return names;
 }
 
-std::optional<std::string> table_text(const FoundResult& result, const std::string& name) {
+std::optional<ResultTable> table_of(const FoundResult& result, const std::string& name) {
+  if (name == "events" && std::holds_alternative<SimulationRecord>(*result.record()))
+    return events_table(result.events());
   for (const Table& known : tables(result))
-    if (without_ending(known.name) == name) return known.csv();
+    if (without_ending(known.name) == name) return known.make();
   return {};
-}
-
-EventColumns event_columns(const FoundResult& result) {
-  std::vector<std::string> names = names_in(events_csv_header());
-  EventColumns columns{names.front(), {}, nullptr};
-  for (const EventKind kind : {EventKind::kImpact, EventKind::kChatter, EventKind::kStick,
-                               EventKind::kRelease, EventKind::kContact, EventKind::kSeparation})
-    columns.kinds.words.emplace_back(name_of(kind));
-  names.erase(names.begin());
-  columns.numbers = std::make_unique<Rows>(std::move(names));
-  for (const Event& event : result.events()) {
-    write_event_row(event, columns.numbers->add());
-    columns.kinds.codes.push_back(static_cast<std::int32_t>(event.kind));
-  }
-  return columns;
 }
 
 }  // namespace graze

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "caller.hpp"
-#include "csv_columns.hpp"
+#include "graze/report/csv/result_table.hpp"
 #include "rows.hpp"
 
 namespace graze {
@@ -49,16 +49,7 @@ const Outcome& outcome_of(const FoundResult& result);
 std::string document_of(const FoundResult& result);
 // The files of --out without their endings: "events", "samples", "branches", ..
 std::vector<std::string> table_names(const FoundResult& result);
-// The text of one of them, as the file has it, other than of events and samples; nothing where
-// there is no such table.
-std::optional<std::string> table_text(const FoundResult& result, const std::string& name);
-
-// The events as columns: their kinds, and the numbers behind these.
-struct EventColumns {
-  std::string kind_name;
-  WordColumn kinds;
-  std::unique_ptr<Rows> numbers;
-};
-EventColumns event_columns(const FoundResult& result);
+// One of them, other than samples; nothing where there is no such table.
+std::optional<ResultTable> table_of(const FoundResult& result, const std::string& name);
 
 }  // namespace graze
