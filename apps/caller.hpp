@@ -29,8 +29,8 @@ class Caller {
   virtual void begin_run(const System& system, const std::vector<ProbeRow>& probes, bool energy,
                          double samples) = 0;
 
-  // The result, and the scene in force.
-  virtual void take(AnyRecord record, const Scene& scene) = 0;
+  // The result, and the scene in force. `document`: that of a result that was read from a folder.
+  virtual void take(AnyRecord record, const Scene& scene, std::string document) = 0;
 };
 
 }  // namespace graze

@@ -15,6 +15,12 @@ std::vector<Table> tables(const FoundResult& result) {
   return std::visit([](const auto& record) { return tables_of(record); }, *result.record());
 }
 
+// A run that was read has left its events in a table of its folder.
+bool has_events(const FoundResult& result) {
+  return std::holds_alternative<SimulationRecord>(*result.record()) &&
+         result.stored_document().empty();
+}
+
 std::string without_ending(const std::string& name) { return name.substr(0, name.rfind('.')); }
 
 }  // namespace
@@ -30,9 +36,10 @@ void FoundResult::begin_run(const System& system, const std::vector<ProbeRow>& p
   samples_ = std::make_unique<Rows>(sample_columns(system, energy, probes), samples);
 }
 
-void FoundResult::take(AnyRecord record, const Scene& scene) {
+void FoundResult::take(AnyRecord record, const Scene& scene, std::string document) {
   record_ = std::move(record);
   scene_ = scene;
+  document_ = std::move(document);
 }
 
 const Outcome& outcome_of(const FoundResult& result) {
@@ -41,6 +48,7 @@ const Outcome& outcome_of(const FoundResult& result) {
 }
 
 std::string document_of(const FoundResult& result) {
+  if (!result.stored_document().empty()) return result.stored_document();
   Spool events;
   std::string text;
   const auto collect = [&](const Document& whole) {
@@ -61,15 +69,14 @@ std::string document_of(const FoundResult& result) {
 
 std::vector<std::string> table_names(const FoundResult& result) {
   std::vector<std::string> names;
-  if (std::holds_alternative<SimulationRecord>(*result.record())) names.emplace_back("events");
+  if (has_events(result)) names.emplace_back("events");
   if (result.samples() && result.samples()->count() > 0) names.emplace_back("samples");
   for (const Table& table : tables(result)) names.push_back(without_ending(table.name));
   return names;
 }
 
 std::optional<ResultTable> table_of(const FoundResult& result, const std::string& name) {
-  if (name == "events" && std::holds_alternative<SimulationRecord>(*result.record()))
-    return events_table(result.events());
+  if (name == "events" && has_events(result)) return events_table(result.events());
   for (const Table& known : tables(result))
     if (without_ending(known.name) == name) return known.make();
   return {};

@@ -20,7 +20,7 @@ class FoundResult final : public Caller {
   void hear(const Sample& sample) override;
   void begin_run(const System& system, const std::vector<ProbeRow>& probes, bool energy,
                  double samples) override;
-  void take(AnyRecord record, const Scene& scene) override;
+  void take(AnyRecord record, const Scene& scene, std::string document) override;
 
   void stop() { stop_ = true; }
   double progress() const { return progress_; }
@@ -28,6 +28,8 @@ class FoundResult final : public Caller {
   // Nothing of a command that ended without a record.
   const std::optional<AnyRecord>& record() const { return record_; }
   const Scene& scene() const { return scene_; }
+  // Of a result that was read from a folder; empty: of one that was computed.
+  const std::string& stored_document() const { return document_; }
   const std::vector<Event>& events() const { return events_; }
   // Of a run with --record samples.
   const Rows* samples() const { return samples_.get(); }
@@ -37,6 +39,7 @@ class FoundResult final : public Caller {
   std::atomic<double> progress_{0.0};
   std::optional<AnyRecord> record_;
   Scene scene_;
+  std::string document_;
   std::vector<Event> events_;
   std::unique_ptr<Rows> samples_;
   const System* system_ = nullptr;

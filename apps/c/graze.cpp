@@ -133,8 +133,9 @@ struct graze_result {
       std::optional<ResultTable> of = table_of(found, name);
       if (!of) return nullptr;
       for (ResultColumn& column : of->take_columns())
-        made.push_back({column.name, std::visit([](auto&& of) { return column_of(std::move(of)); },
-                                                std::move(column.values))});
+        made.push_back(
+            {column.name, std::visit([](auto&& values) { return column_of(std::move(values)); },
+                                     std::move(column.values))});
     }
     return &columns.emplace(name, std::move(made)).first->second;
   }

@@ -11,6 +11,7 @@
 #include "graze/report/json/json.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/text/text.hpp"
+#include "graze/scene/reader.hpp"
 #include "in_process.hpp"
 
 namespace graze {
@@ -170,6 +171,8 @@ void bind_results(py::module_& module) {
             return self.record() ? std::optional<std::string>(kKinds[self.record()->index()])
                                  : std::nullopt;
           })
+      .def_property_readonly("scene_text",
+                             [](Self self) { return words(write_scene(complete(self).scene())); })
       .def_property_readonly("outcome", [](Self self) { return outcome_of(complete(self)).name; })
       .def_property_readonly("message",
                              [](Self self) { return words(outcome_of(complete(self)).message); })

@@ -23,7 +23,7 @@ class Taker final : public Caller {
   void hear(const Event& event) override { events_.push_back(event); }
   void hear(const Sample&) override {}
   void begin_run(const System&, const std::vector<ProbeRow>&, bool, double) override {}
-  void take(AnyRecord, const Scene&) override {}
+  void take(AnyRecord, const Scene&, std::string) override {}
 
  private:
   std::atomic<bool> never_{false};
