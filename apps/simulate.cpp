@@ -250,20 +250,21 @@ Plan planned(const SimulateCommand& command, const Scene& scene, SimulationRecor
                  : default_closure_speed(system, plan.start, scene.solver.tolerance);
   plan.rate = sample_rate(command, system, plan.cut);
   plan.listened = listening_rate(command, system, plan.rate);
-  if (plan.cut) place_samples(*plan.cut, plan.listened.rate);
+  if (plan.cut) place_samples(*plan.cut, plan.rate, plan.listened.stride);
   return plan;
 }
 
 // What --resume goes on from.
-CutRun state_left(const SimulateCommand& command, const SimulationRecord& record, double rate) {
+CutRun state_left(const SimulateCommand& command, const SimulationRecord& record, double rate,
+                  long long stride) {
   CutRun state{record.info.version,
                record.info.scene_sha256,
                record.outcome.name,
                record.run.end_time,
                command.record == "samples" ? std::optional<double>(rate) : std::nullopt,
                record.run.state};
-  // Those of a picture are none to go on with.
-  if (!state.sample_rate) state.state.samples = 0;
+  // Those of a picture are none to go on with; of a table it is a part of them.
+  state.state.samples = state.sample_rate ? (state.state.samples + stride - 1) / stride : 0;
   return state;
 }
 
@@ -301,7 +302,7 @@ int run(const SimulateCommand& command) {
   place_beam(command, scene, record);
   if (command.show == RunPicture::kShapes)
     add_shapes(command.shape_times, plan.start, plan.options, record);
-  const CutRun state = state_left(command, record, plan.rate);
+  const CutRun state = state_left(command, record, plan.rate, plan.listened.stride);
   const auto files = [&] { return NamedFiles{{kStateFile, write_run_state(state)}}; };
   return conclude(
       command, record, scene, files,
