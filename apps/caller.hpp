@@ -25,12 +25,12 @@ class Caller {
   // system that it is of.
   virtual void hear(const Event& event) = 0;
   virtual void hear(const Sample& sample) = 0;
-  // Before the first of them.
-  virtual void begin_run(const System& system, const std::vector<ProbeRow>& probes,
-                         bool energy) = 0;
+  // Before the first of them; `samples`: about how many there will be.
+  virtual void begin_run(const System& system, const std::vector<ProbeRow>& probes, bool energy,
+                         double samples) = 0;
 
-  // The result, and the scene in force.
-  virtual void take(AnyRecord record, const Scene& scene) = 0;
+  // The result, and the scene in force. `document`: that of a result that was read from a folder.
+  virtual void take(AnyRecord record, const Scene& scene, std::string document) = 0;
 };
 
 }  // namespace graze

@@ -121,6 +121,7 @@ struct SimulateCommand : MotionOptions {
   std::optional<long long> periods;
   std::string record = "events";      // none | events | samples
   std::optional<double> sample_rate;  // 1/s
+  std::string sample_format = "csv";  // csv | npz
   bool energy = false;                // keep the energy balance
   // A picture of the motion shows the energy balance.
   bool keeps_balance() const { return energy || (!plot.empty() && !section); }

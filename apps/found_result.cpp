@@ -1,6 +1,5 @@
 #include "found_result.hpp"
 
-#include <sstream>
 #include <variant>
 
 #include "graze/record/file/spool.hpp"
@@ -12,15 +11,14 @@
 namespace graze {
 namespace {
 
-std::vector<std::string> names_in(const std::string& header) {
-  std::vector<std::string> names;
-  std::istringstream line(header.substr(0, header.find('\n')));
-  for (std::string name; std::getline(line, name, ',');) names.push_back(name);
-  return names;
-}
-
 std::vector<Table> tables(const FoundResult& result) {
   return std::visit([](const auto& record) { return tables_of(record); }, *result.record());
+}
+
+// A run that was read has left its events in a table of its folder.
+bool has_events(const FoundResult& result) {
+  return std::holds_alternative<SimulationRecord>(*result.record()) &&
+         result.stored_document().empty();
 }
 
 std::string without_ending(const std::string& name) { return name.substr(0, name.rfind('.')); }
@@ -31,16 +29,17 @@ void FoundResult::hear(const Sample& sample) {
   write_sample_row(*system_, sample, *probes_, samples_->add());
 }
 
-void FoundResult::begin_run(const System& system, const std::vector<ProbeRow>& probes,
-                            bool energy) {
+void FoundResult::begin_run(const System& system, const std::vector<ProbeRow>& probes, bool energy,
+                            double samples) {
   system_ = &system;
   probes_ = &probes;
-  samples_ = std::make_unique<Rows>(names_in(samples_csv_header(system, energy, probes)));
+  samples_ = std::make_unique<Rows>(sample_columns(system, energy, probes), samples);
 }
 
-void FoundResult::take(AnyRecord record, const Scene& scene) {
+void FoundResult::take(AnyRecord record, const Scene& scene, std::string document) {
   record_ = std::move(record);
   scene_ = scene;
+  document_ = std::move(document);
 }
 
 const Outcome& outcome_of(const FoundResult& result) {
@@ -49,6 +48,7 @@ const Outcome& outcome_of(const FoundResult& result) {
 }
 
 std::string document_of(const FoundResult& result) {
+  if (!result.stored_document().empty()) return result.stored_document();
   Spool events;
   std::string text;
   const auto collect = [&](const Document& whole) {
@@ -69,31 +69,17 @@ std::string document_of(const FoundResult& result) {
 
 std::vector<std::string> table_names(const FoundResult& result) {
   std::vector<std::string> names;
-  if (std::holds_alternative<SimulationRecord>(*result.record())) names.emplace_back("events");
+  if (has_events(result)) names.emplace_back("events");
   if (result.samples() && result.samples()->count() > 0) names.emplace_back("samples");
   for (const Table& table : tables(result)) names.push_back(without_ending(table.name));
   return names;
 }
 
-std::optional<std::string> table_text(const FoundResult& result, const std::string& name) {
+std::optional<ResultTable> table_of(const FoundResult& result, const std::string& name) {
+  if (name == "events" && has_events(result)) return events_table(result.events());
   for (const Table& known : tables(result))
-    if (without_ending(known.name) == name) return known.csv();
+    if (without_ending(known.name) == name) return known.make();
   return {};
-}
-
-EventColumns event_columns(const FoundResult& result) {
-  std::vector<std::string> names = names_in(events_csv_header());
-  EventColumns columns{names.front(), {}, nullptr};
-  for (const EventKind kind : {EventKind::kImpact, EventKind::kChatter, EventKind::kStick,
-                               EventKind::kRelease, EventKind::kContact, EventKind::kSeparation})
-    columns.kinds.words.emplace_back(name_of(kind));
-  names.erase(names.begin());
-  columns.numbers = std::make_unique<Rows>(std::move(names));
-  for (const Event& event : result.events()) {
-    write_event_row(event, columns.numbers->add());
-    columns.kinds.codes.push_back(static_cast<std::int32_t>(event.kind));
-  }
-  return columns;
 }
 
 }  // namespace graze

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "caller.hpp"
-#include "csv_columns.hpp"
+#include "graze/report/csv/result_table.hpp"
 #include "rows.hpp"
 
 namespace graze {
@@ -18,8 +18,9 @@ class FoundResult final : public Caller {
   void hear_progress(double fraction) override { progress_ = fraction; }
   void hear(const Event& event) override { events_.push_back(event); }
   void hear(const Sample& sample) override;
-  void begin_run(const System& system, const std::vector<ProbeRow>& probes, bool energy) override;
-  void take(AnyRecord record, const Scene& scene) override;
+  void begin_run(const System& system, const std::vector<ProbeRow>& probes, bool energy,
+                 double samples) override;
+  void take(AnyRecord record, const Scene& scene, std::string document) override;
 
   void stop() { stop_ = true; }
   double progress() const { return progress_; }
@@ -27,6 +28,8 @@ class FoundResult final : public Caller {
   // Nothing of a command that ended without a record.
   const std::optional<AnyRecord>& record() const { return record_; }
   const Scene& scene() const { return scene_; }
+  // Of a result that was read from a folder; empty: of one that was computed.
+  const std::string& stored_document() const { return document_; }
   const std::vector<Event>& events() const { return events_; }
   // Of a run with --record samples.
   const Rows* samples() const { return samples_.get(); }
@@ -36,6 +39,7 @@ class FoundResult final : public Caller {
   std::atomic<double> progress_{0.0};
   std::optional<AnyRecord> record_;
   Scene scene_;
+  std::string document_;
   std::vector<Event> events_;
   std::unique_ptr<Rows> samples_;
   const System* system_ = nullptr;
@@ -48,16 +52,7 @@ const Outcome& outcome_of(const FoundResult& result);
 std::string document_of(const FoundResult& result);
 // The files of --out without their endings: "events", "samples", "branches", ..
 std::vector<std::string> table_names(const FoundResult& result);
-// The text of one of them, as the file has it, other than of events and samples; nothing where
-// there is no such table.
-std::optional<std::string> table_text(const FoundResult& result, const std::string& name);
-
-// The events as columns: their kinds, and the numbers behind these.
-struct EventColumns {
-  std::string kind_name;
-  WordColumn kinds;
-  std::unique_ptr<Rows> numbers;
-};
-EventColumns event_columns(const FoundResult& result);
+// One of them, other than samples; nothing where there is no such table.
+std::optional<ResultTable> table_of(const FoundResult& result, const std::string& name);
 
 }  // namespace graze

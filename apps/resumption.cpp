@@ -30,8 +30,12 @@ void check_end(const CutRun& cut, const SimulationOptions& options, const System
                     options.duration ? "--duration" : "--periods", end, cut.time));
 }
 
-void place_samples(CutRun& cut, double rate) {
-  if (cut.sample_rate != rate) cut.state.samples = samples_before(cut.time, rate);
+void place_samples(CutRun& cut, double rate, long long stride) {
+  long long& samples = cut.state.samples;
+  if (cut.sample_rate != rate)
+    samples = samples_before(cut.time, rate * static_cast<double>(stride));
+  else if (samples > 0)
+    samples = (samples - 1) * stride + 1;
 }
 
 }  // namespace graze

@@ -14,8 +14,8 @@ CutRun read_cut_run(const SimulateCommand& command, const System& system, const 
 // Throws InputError where the run is past the end asked for; both count from t = 0.
 void check_end(const CutRun& cut, const SimulationOptions& options, const System& system);
 
-// Sets which sample comes next: at the rate of before (1/s) the one after the last, at another the
-// first whose time is not over.
-void place_samples(CutRun& cut, double rate);
+// Sets which sample comes next, of `stride` for each that is kept: at the rate of before (1/s, of
+// those that are kept) the one after the last kept, at another the first whose time is not over.
+void place_samples(CutRun& cut, double rate, long long stride);
 
 }  // namespace graze

@@ -14,7 +14,15 @@ namespace graze {
 
 class Rows {
  public:
-  explicit Rows(std::vector<std::string> columns) : columns_(std::move(columns)) {}
+  // With room for so many rows, as far as the system lets one ask for it; only what is written is
+  // taken.
+  explicit Rows(std::vector<std::string> columns, double rows = 0.0)
+      : columns_(std::move(columns)) {
+    constexpr double kMost = 0x1p30;  // 8 GiB
+    const auto wanted =
+        static_cast<std::size_t>(std::min(rows * static_cast<double>(columns_.size()), kMost));
+    if (wanted > kLarge) static_cast<void>(resize(wanted));
+  }
   Rows(const Rows&) = delete;
   Rows& operator=(const Rows&) = delete;
   ~Rows() {
@@ -39,18 +47,24 @@ class Rows {
   void grow() {
     constexpr std::size_t kFirst = 4096;
     const std::size_t least = size_ + columns_.size();
-    const std::size_t wanted = std::max({kFirst, least, capacity_ + capacity_ / 2});
+    if (!resize(std::max({kFirst, least, capacity_ + capacity_ / 2}))) throw std::bad_alloc();
+  }
+
+  // Whether there is room for so many numbers now.
+  bool resize(std::size_t wanted) {
     void* const moved =
         data_ ? ::mremap(data_, capacity_ * sizeof(double), wanted * sizeof(double), MREMAP_MAYMOVE)
               : ::mmap(nullptr, wanted * sizeof(double), PROT_READ | PROT_WRITE,
-                       MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (moved == MAP_FAILED) throw std::bad_alloc();
+                       MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (moved == MAP_FAILED) return false;
     data_ = static_cast<double*>(moved);
     capacity_ = wanted;
-    constexpr std::size_t kLarge = std::size_t{1} << 20;
     if (capacity_ >= kLarge)
       static_cast<void>(::madvise(data_, capacity_ * sizeof(double), MADV_HUGEPAGE));
+    return true;
   }
+
+  static constexpr std::size_t kLarge = std::size_t{1} << 20;  // numbers
 
   std::vector<std::string> columns_;
   double* data_ = nullptr;

@@ -24,7 +24,7 @@ constexpr std::size_t kStoredNumbers = 100'000;
 
 RunOutput::RunOutput(const SimulateCommand& command, const System& system,
                      const std::vector<ProbeRow>& probes, std::optional<RunSection> section,
-                     const Rate& rate)
+                     const Rate& rate, double end)
     : system_(system),
       probes_(probes),
       caller_(command.caller),
@@ -40,14 +40,22 @@ RunOutput::RunOutput(const SimulateCommand& command, const System& system,
       most_samples_(command.show == RunPicture::kSpectrum ? kSpectrumSamples : kPictureSamples) {
   const auto numbers = static_cast<std::size_t>(2 * system.modes());
   if (command.plot.empty()) most_samples_ = std::min(kPictureSamples, kStoredNumbers / numbers + 1);
-  if (caller_) caller_->begin_run(system, probes, command.keeps_balance());
+  if (draws_ && !samples_all_)
+    shown_from_ = std::max(0.0, end - static_cast<double>(most_samples_ - 1) / rate_.rate);
+  if (caller_)
+    caller_->begin_run(
+        system, probes, command.keeps_balance(),
+        records_samples_ ? end * rate.rate / static_cast<double>(rate.stride) + 1.0 : 0.0);
   if (command.out.empty()) return;
   const std::filesystem::path folder = command.out;
   if (records_events_) {
     event_table_.emplace(folder / "events.csv");
     event_table_->append(events_csv_header());
   }
-  if (records_samples_) {
+  if (records_samples_ && command.sample_format == "npz") {
+    sample_arrays_.emplace(folder / "samples.npz",
+                           sample_columns(system, command.keeps_balance(), probes));
+  } else if (records_samples_) {
     sample_table_.emplace(folder / "samples.csv");
     sample_table_->append(samples_csv_header(system, command.keeps_balance(), probes));
   }
@@ -69,19 +77,15 @@ void RunOutput::add(const Event& event) {
 
 void RunOutput::add(const Sample& sample) {
   if (section_) section_->add(system_, sample);
-  const bool tabled = std::llround(sample.time * rate_.rate) % rate_.stride == 0;
+  const bool tabled =
+      rate_.stride == 1 || std::llround(sample.time * rate_.rate) % rate_.stride == 0;
   if (caller_ && records_samples_ && tabled) caller_->hear(sample);
   if (sample_table_ && tabled) sample_table_->append(samples_csv_row(system_, sample, probes_));
+  if (sample_arrays_ && tabled) write_sample_row(system_, sample, probes_, sample_arrays_->add());
   if (draws_) {
     last_samples_.push_back(sample);
     trim();
   }
-}
-
-double RunOutput::samples_from(double end) {
-  if (draws_ && !samples_all_)
-    shown_from_ = std::max(0.0, end - static_cast<double>(most_samples_ - 1) / rate_.rate);
-  return shown_from_;
 }
 
 // Events from before the oldest sample would stand outside the picture.
@@ -97,8 +101,10 @@ std::vector<PendingFile> RunOutput::take_tables() {
   std::vector<PendingFile> tables;
   if (event_table_) tables.push_back(std::move(*event_table_));
   if (sample_table_) tables.push_back(std::move(*sample_table_));
+  if (sample_arrays_) tables.push_back(sample_arrays_->finished());
   event_table_.reset();
   sample_table_.reset();
+  sample_arrays_.reset();
   return tables;
 }
 

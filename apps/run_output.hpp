@@ -7,6 +7,7 @@
 
 #include "command.hpp"
 #include "graze/record/file/detail/files.hpp"
+#include "graze/record/file/detail/numpy_archive.hpp"
 #include "graze/record/file/spool.hpp"
 #include "graze/record/records.hpp"
 
@@ -26,16 +27,16 @@ class RunOutput {
     double rate = 0.0;
     long long stride = 1;
   };
-  // `system` and `probes` must outlive it.
+  // `system` and `probes` must outlive it. `end` of the run, s.
   RunOutput(const SimulateCommand& command, const System& system,
             const std::vector<ProbeRow>& probes, std::optional<RunSection> section,
-            const Rate& rate);
+            const Rate& rate, double end);
 
   void add(const Event& event);
   void add(const Sample& sample);
 
-  // s: from when on samples are wanted of a run until `end`, s.
-  double samples_from(double end);
+  // s: from when on samples are wanted.
+  double samples_from() const { return shown_from_; }
 
   bool wants_events() const {
     return records_events_ || draws_ || is_seen(DiagramSection::kImpact);
@@ -62,6 +63,7 @@ class RunOutput {
   bool records_events_, records_samples_, writes_document_, samples_all_, draws_;
   double shown_from_ = 0.0;  // s
   std::optional<PendingFile> event_table_, sample_table_;
+  std::optional<NumpyArchive> sample_arrays_;  // in place of a table
   Spool events_;
   EventExcerpt excerpt_;
   std::deque<Event> last_events_;

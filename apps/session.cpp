@@ -148,7 +148,10 @@ int conclude(const CommonOptions& command, const RunInfo& info, const Outcome& o
         files.back().append(piece);
       });
     };
-    for (const Table& table : result.record_tables) add(table.name, table.csv());
+    for (const Table& table : result.record_tables) {
+      files.emplace_back(folder / table.name);
+      table.make().write_csv([&](std::string_view piece) { files.back().append(piece); });
+    }
     if (result.files)
       for (const auto& [name, content] : result.files()) add(name, content);
     add(kSceneFile, info.scene_text);

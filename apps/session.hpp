@@ -99,7 +99,7 @@ int conclude(const CommonOptions& command, Record& record, const Scene& scene,
                             document_checksum);
   };
   const int code = conclude(command, info_of(record), outcome_of(record), std::move(result));
-  if (command.caller) command.caller->take(std::move(record), scene);
+  if (command.caller) command.caller->take(std::move(record), scene, {});
   return code;
 }
 

@@ -48,6 +48,8 @@ SimulationOptions simulation_options(const SimulateCommand& command, const Scene
     throw InputError("--periods: it must not exceed 2^53 forcing periods");
   if (command.sample_rate && command.record != "samples")
     throw InputError("--sample-rate: it needs --record samples");
+  if (command.sample_format != "csv" && (command.record != "samples" || command.out.empty()))
+    throw InputError("--sample-format: it needs --record samples and --out");
   return options;
 }
 
@@ -204,7 +206,7 @@ Simulation run_listened(const System& system, const State& start, const std::opt
   if (output.wants_events()) listeners.event = [&](const Event& event) { output.add(event); };
   if (output.wants_samples()) listeners.sample = [&](const Sample& sample) { output.add(sample); };
   listeners.sample_rate = rate;
-  listeners.sample_from = output.samples_from(end_of(options, system));
+  listeners.sample_from = output.samples_from();
   return cut ? resume(system, cut->state, options, listeners)
              : simulate(system, start, options, listeners);
 }
@@ -248,20 +250,21 @@ Plan planned(const SimulateCommand& command, const Scene& scene, SimulationRecor
                  : default_closure_speed(system, plan.start, scene.solver.tolerance);
   plan.rate = sample_rate(command, system, plan.cut);
   plan.listened = listening_rate(command, system, plan.rate);
-  if (plan.cut) place_samples(*plan.cut, plan.listened.rate);
+  if (plan.cut) place_samples(*plan.cut, plan.rate, plan.listened.stride);
   return plan;
 }
 
 // What --resume goes on from.
-CutRun state_left(const SimulateCommand& command, const SimulationRecord& record, double rate) {
+CutRun state_left(const SimulateCommand& command, const SimulationRecord& record, double rate,
+                  long long stride) {
   CutRun state{record.info.version,
                record.info.scene_sha256,
                record.outcome.name,
                record.run.end_time,
                command.record == "samples" ? std::optional<double>(rate) : std::nullopt,
                record.run.state};
-  // Those of a picture are none to go on with.
-  if (!state.sample_rate) state.state.samples = 0;
+  // Those of a picture are none to go on with; of a table it is a part of them.
+  state.state.samples = state.sample_rate ? (state.state.samples + stride - 1) / stride : 0;
   return state;
 }
 
@@ -285,7 +288,8 @@ int run(const SimulateCommand& command) {
 
   prepare_output(command);
   note_call(command, record.info);
-  RunOutput output(command, record.system, record.probes, std::move(plan.section), plan.listened);
+  RunOutput output(command, record.system, record.probes, std::move(plan.section), plan.listened,
+                   end_of(plan.options, record.system));
   record.run = run_listened(record.system, plan.start, plan.cut, plan.options, plan.listened.rate,
                             command, output);
   record.outcome = simulation_outcome(record.run);
@@ -298,7 +302,7 @@ int run(const SimulateCommand& command) {
   place_beam(command, scene, record);
   if (command.show == RunPicture::kShapes)
     add_shapes(command.shape_times, plan.start, plan.options, record);
-  const CutRun state = state_left(command, record, plan.rate);
+  const CutRun state = state_left(command, record, plan.rate, plan.listened.stride);
   const auto files = [&] { return NamedFiles{{kStateFile, write_run_state(state)}}; };
   return conclude(
       command, record, scene, files,

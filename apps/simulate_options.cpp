@@ -33,6 +33,12 @@ void add_recording(CLI::App* app, SimulateCommand& command) {
          "forcing, of the slowest mode)")
       ->check(above_zero())
       ->type_name("RATE");
+  app->add_option("--sample-format", command.sample_format,
+                  "With --record samples and --out: samples.csv, or samples.npz with an array for "
+                  "NumPy of every column")
+      ->check(CLI::IsMember({"csv", "npz"}))
+      ->capture_default_str()
+      ->type_name("WHAT");
 }
 
 void add_measurement(CLI::App* app, SimulateCommand& command) {

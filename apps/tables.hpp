@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "graze/record/record_names.hpp"
+#include "graze/report/csv/result_table.hpp"
 
 namespace graze {
 
-// A name, "branches.csv", and what makes the text, from the record that it is of.
+// The name of its file, "branches.csv", and what makes it, from the record that it is of.
 struct Table {
   std::string name;
-  std::function<std::string()> csv;
+  std::function<ResultTable()> make;
 };
 
 // All must be used before the record goes.

@@ -161,15 +161,19 @@ void view(const ViewCommand& command, const StoredResult& result, Record& record
   if (!command.plot.empty()) check_drawable(command, record);
   prepare_output(command);
   warn(command, warnings_of(record));
-  print([&](const TextSink& sink) {
-    if (command.json)
-      result.read_document(sink);
-    else
-      sink(printed_text(command, to_text(record, command.text)));
-  });
-  if (command.plot.empty()) return;
+  if (!command.caller)
+    print([&](const TextSink& sink) {
+      if (command.json)
+        result.read_document(sink);
+      else
+        sink(printed_text(command, to_text(record, command.text)));
+    });
   if constexpr (std::is_same_v<Record, SimulationRecord>) place_beam(command, result.scene, record);
-  draw(command, record, result.scene);
+  if (!command.plot.empty()) draw(command, record, result.scene);
+  if (!command.caller) return;
+  std::string document;
+  result.read_document([&](std::string_view piece) { document += piece; });
+  command.caller->take(std::move(record), result.scene, std::move(document));
 }
 
 }  // namespace

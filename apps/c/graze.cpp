@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "command.hpp"
-#include "csv_columns.hpp"
 #include "found_result.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/record/file/run_info.hpp"
@@ -120,7 +119,6 @@ struct graze_result {
   std::string message, json;
   std::vector<std::string> tables;
   std::map<std::string, Columns> columns;  // of the tables asked for
-  EventColumns events;
 
   bool has_record() const { return found.record().has_value(); }
 
@@ -129,18 +127,15 @@ struct graze_result {
     if (!has_record()) return nullptr;
     if (const auto known = columns.find(name); known != columns.end()) return &known->second;
     Columns made;
-    if (name == "events" && std::holds_alternative<SimulationRecord>(*found.record())) {
-      events = event_columns(found);
-      made.push_back({events.kind_name, column_of(std::move(events.kinds))});
-      add_rows(*events.numbers, made);
-    } else if (name == "samples" && found.samples()) {
+    if (name == "samples" && found.samples()) {
       add_rows(*found.samples(), made);
     } else {
-      const std::optional<std::string> text = table_text(found, name);
-      if (!text) return nullptr;
-      for (CsvColumn& column : csv_columns(*text))
-        made.push_back({column.name, std::visit([](auto&& of) { return column_of(std::move(of)); },
-                                                std::move(column.values))});
+      std::optional<ResultTable> of = table_of(found, name);
+      if (!of) return nullptr;
+      for (ResultColumn& column : of->take_columns())
+        made.push_back(
+            {column.name, std::visit([](auto&& values) { return column_of(std::move(values)); },
+                                     std::move(column.values))});
     }
     return &columns.emplace(name, std::move(made)).first->second;
   }

@@ -30,6 +30,9 @@ int main(int argc, char** argv) {
     good = write(folder / "man" / ("graze-" + command.name + ".1"),
                  graze::man_page(command, graze::version())) &&
            good;
+  good = write(folder / "man_mpi" / "graze-mpi.1",
+               graze::man_page_of_ranks(commands, graze::version())) &&
+         good;
   good = write(folder / "graze.bash", graze::bash_completion(commands)) && good;
   good = write(folder / "_graze", graze::zsh_completion(commands)) && good;
   good = write(folder / "graze.fish", graze::fish_completion(commands)) && good;

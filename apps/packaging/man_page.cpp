@@ -86,6 +86,10 @@ std::string example_section(const std::string& example) {
   return text + ".fi\n";
 }
 
+std::string command_entry(const CommandReader::Description& command) {
+  return fmt::format(".TP\n\\fB{}\\fR\n{}.\n", plain(command.name), plain(command.what));
+}
+
 constexpr const char* kExitStatus = R"(.SH EXIT STATUS
 .TP
 0
@@ -121,11 +125,44 @@ std::string man_page(const std::vector<CommandReader::Description>& commands,
       ".SH COMMANDS\n";
   std::string others;
   for (const CommandReader::Description& command : commands) {
-    text += fmt::format(".TP\n\\fB{}\\fR\n{}.\n", plain(command.name), plain(command.what));
+    text += command_entry(command);
     others +=
         fmt::format("{}.BR {} (1)", others.empty() ? "" : " ,\n", plain("graze-" + command.name));
   }
   return text + kExitStatus + ".SH SEE ALSO\n" + others + "\n";
+}
+
+std::string man_page_of_ranks(const std::vector<CommandReader::Description>& commands,
+                              const std::string& version) {
+  std::string text = title("graze-mpi", version) +
+                     name_section("graze-mpi", "graze as the ranks of an MPI job") + R"(.SH SYNOPSIS
+\fBmpirun\fR [\fIOPTIONS OF MPIRUN\fR] \fBgraze\-mpi\fR \fICOMMAND\fR [\fIOPTIONS\fR] \fISCENE\fR
+.SH DESCRIPTION
+The program
+.BR graze (1)
+as one rank of an MPI job: the ranks share the blocks of one command, with the options that it has
+there. The first rank keeps the journal, prints and writes the results, which are those of graze to
+the last byte; all read the scene, which must be the same for each. A rank uses one thread unless
+\fB\-\-threads\fR says otherwise. If a rank dies the job ends, and the same command with
+\fB\-\-resume\fR, here or of graze, goes on from the journal.
+.SH COMMANDS
+Those that have blocks; any other runs with one rank only, and of compare only maps have them.
+)";
+  std::string others;
+  for (const CommandReader::Description& command : commands) {
+    const auto is_shared = [](const CommandReader::Option& option) {
+      return option.name == "shard";
+    };
+    if (std::none_of(command.options.begin(), command.options.end(), is_shared)) continue;
+    text += command_entry(command);
+    others += fmt::format(",\n.BR {} (1)", plain("graze-" + command.name));
+  }
+  return text + kExitStatus +
+         ".SH EXAMPLES\n.nf\nmpirun \\-n 4 graze\\-mpi map scene.toml \\-\\-parameter "
+         "forcing.frequency \\-\\-from 15 \\-\\-to 120 \\e\n"
+         "    \\-\\-second stop.gap \\-\\-second\\-from 0.5e\\-3 \\-\\-second\\-to 2e\\-3 "
+         "\\-\\-out runs/map \\-\\-resume\n.fi\n.SH SEE ALSO\n.BR graze (1)" +
+         others + ",\n.BR mpirun (1)\n";
 }
 
 std::string man_page(const CommandReader::Description& command, const std::string& version) {

@@ -11,6 +11,9 @@ namespace graze {
 // graze(1), which lists the commands.
 std::string man_page(const std::vector<CommandReader::Description>& commands,
                      const std::string& version);
+// graze-mpi(1), which lists those of them whose work ranks share.
+std::string man_page_of_ranks(const std::vector<CommandReader::Description>& commands,
+                              const std::string& version);
 // graze-COMMAND(1).
 std::string man_page(const CommandReader::Description& command, const std::string& version);
 

@@ -3,7 +3,9 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME graze)
 set(CPACK_PACKAGE_VENDOR "The Graze authors")
-set(CPACK_PACKAGE_CONTACT "The Graze authors <graze@example.org>")
+set(GRAZE_CONTACT "The Graze authors <graze@example.org>" CACHE STRING
+    "Whom the packages name as their maintainer: a name and, in <>, an address")
+set(CPACK_PACKAGE_CONTACT "${GRAZE_CONTACT}")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_COMPONENTS_ALL program library doc)
 if(GRAZE_C)
@@ -128,7 +130,7 @@ file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/packaging/changelog.Debian CONTENT
 
   * What changed stands in CHANGELOG.md of graze-doc.
 
- -- The Graze authors <graze@example.org>  Thu, 01 Jan 2026 00:00:00 +0000
+ -- ${GRAZE_CONTACT}  Thu, 01 Jan 2026 00:00:00 +0000
 " @ONLY)
 add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/packaging/changelog.Debian.gz
   COMMAND gzip -9nkf changelog.Debian WORKING_DIRECTORY ${PROJECT_BINARY_DIR}/packaging

@@ -64,6 +64,10 @@ py::list options(const std::string& command) {
 
 void bind_commands(py::module_& module) {
   module.def("run", run_words);
+  // Of commands that take no scene.
+  module.def("run_bare", [](const std::vector<std::string>& words) {
+    return run_in_process(command_of(words), py::none());
+  });
   module.def("options", options);
 }
 

@@ -11,6 +11,7 @@
 #include "graze/report/json/json.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/text/text.hpp"
+#include "graze/scene/reader.hpp"
 #include "in_process.hpp"
 
 namespace graze {
@@ -50,8 +51,7 @@ py::array array_of(std::vector<Number>&& list) {
   return view(kept->data(), kept->size(), 1, owner);
 }
 
-py::object values_of(
-    std::variant<std::vector<double>, std::vector<std::int64_t>, WordColumn>&& of) {
+py::object values_of(decltype(ResultColumn::values)&& of) {
   if (auto* listed = std::get_if<WordColumn>(&of)) {
     py::list names;
     for (const std::string& word : listed->words) names.append(words(word));
@@ -59,18 +59,6 @@ py::object values_of(
   }
   if (auto* whole = std::get_if<std::vector<std::int64_t>>(&of)) return array_of(std::move(*whole));
   return array_of(std::move(std::get<std::vector<double>>(of)));
-}
-
-py::list csv_table(const std::string& text) {
-  std::vector<CsvColumn> columns;
-  {
-    const py::gil_scoped_release release;
-    columns = csv_columns(text);
-  }
-  py::list list;
-  for (CsvColumn& column : columns)
-    list.append(py::make_tuple(column.name, values_of(std::move(column.values))));
-  return list;
 }
 
 // Columns of rows, all in one piece of memory that `owner` keeps.
@@ -82,33 +70,20 @@ py::list columns_of(const Rows& rows, const py::object& owner) {
   return list;
 }
 
-py::list event_table(const FoundResult& result) {
-  EventColumns columns;
-  {
-    const py::gil_scoped_release release;
-    columns = event_columns(result);
-  }
-  py::list list;
-  list.append(py::make_tuple(columns.kind_name, values_of(std::move(columns.kinds))));
-  const Rows& kept = *columns.numbers;
-  const py::capsule owner(columns.numbers.release(),
-                          [](void* at) { delete static_cast<Rows*>(at); });
-  for (const py::handle column : columns_of(kept, owner)) list.append(column);
-  return list;
-}
-
 py::list table(const py::object& self, const std::string& name) {
   const auto& result = self.cast<const FoundResult&>();
   record_of(result);
-  if (name == "events") return event_table(result);
   if (name == "samples" && result.samples()) return columns_of(*result.samples(), self);
-  std::optional<std::string> text;
+  std::optional<ResultTable> found;
   {
     const py::gil_scoped_release release;
-    text = table_text(result, name);
+    found = table_of(result, name);
   }
-  if (text) return csv_table(*text);
-  throw py::key_error(name);
+  if (!found) throw py::key_error(name);
+  py::list list;
+  for (ResultColumn& column : found->take_columns())
+    list.append(py::make_tuple(column.name, values_of(std::move(column.values))));
+  return list;
 }
 
 std::string printed(const FoundResult& result, bool verbose) {
@@ -196,6 +171,8 @@ void bind_results(py::module_& module) {
             return self.record() ? std::optional<std::string>(kKinds[self.record()->index()])
                                  : std::nullopt;
           })
+      .def_property_readonly("scene_text",
+                             [](Self self) { return words(write_scene(complete(self).scene())); })
       .def_property_readonly("outcome", [](Self self) { return outcome_of(complete(self)).name; })
       .def_property_readonly("message",
                              [](Self self) { return words(outcome_of(complete(self)).message); })

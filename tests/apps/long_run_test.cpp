@@ -1,9 +1,11 @@
 // Long runs: memory that does not grow, files that appear whole or not at all, interrupts.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "apps/program.hpp"
+#include "graze/fem/detail/numpy_array.hpp"
 
 namespace graze {
 namespace {
@@ -20,10 +22,11 @@ TEST(LongRun, MemoryDoesNotGrowWithTheRun) {
 #endif
   const ScratchFolder scratch;
   const std::string folder = scratch.string();
-  for (const std::string& options :
-       std::vector<std::string>{"", "--json ", "--out " + folder + "/run ",
-                                "--record samples --sample-rate 5 --out " + folder + "/samples ",
-                                "--plot " + folder + "/picture.svg "}) {
+  for (const std::string& options : std::vector<std::string>{
+           "", "--json ", "--out " + folder + "/run ",
+           "--record samples --sample-rate 5 --out " + folder + "/samples ",
+           "--record samples --sample-rate 200 --sample-format npz --out " + folder + "/arrays ",
+           "--plot " + folder + "/picture.svg "}) {
     const double brief = peak_memory("simulate --periods 5000 " + options + kOneMode);
     const double lengthy = peak_memory("simulate --periods 50000 " + options + kOneMode);
     EXPECT_GT(brief, 0.0) << options;
@@ -49,6 +52,23 @@ TEST(LongRun, InterruptKeepsWhatWasFinishedAndExitsWith130) {
     EXPECT_TRUE(read_text(folder + "/result.json") == run.out);
     EXPECT_EQ(lines_of(folder + "/events.csv").size(), document["events"].size() + 1);
   }
+}
+
+TEST(LongRun, InterruptKeepsTheSamplesUntilThen) {
+  const ScratchFolder scratch;
+  const std::string folder = (scratch / "run").string();
+  const Finished run = run_graze(
+      kEndless + "--record samples --sample-format npz --out " + folder + " --json " + kOneMode,
+      "timeout --preserve-status -s INT 0.5 ");
+  EXPECT_EQ(run.code, 130) << run.err;
+  EXPECT_EQ(names_in(folder),
+            (std::vector<std::string>{"events.csv", "record.json", "result.json", "samples.npz",
+                                      "scene.toml", "state.toml"}));
+  const NumpyArray time = numpy_array("time", zip_members(folder + "/samples.npz").at("time.npy"));
+  // The run ends at an event, its samples before the next one.
+  const double end = json::parse(run.out)["final"]["time"], period = 2.0 * M_PI / 28.3;
+  ASSERT_GT(time.values.size(), 100U);
+  EXPECT_NEAR(time.values.back(), end, 2.0 * period);
 }
 
 TEST(LongRun, UnderNohupTheRunOutlivesItsTerminal) {
@@ -91,13 +111,16 @@ TEST(LongRun, AFullDiskLeavesNothingBehind) {
   const std::string before = read_text(folder + "/events.csv");
   // In blocks of 512 bytes: the table, the document, or their end do not fit.
   for (const char* blocks : {"100", "1000", "2500"}) {
-    const Finished run = run_graze("simulate --periods 10000 --out " + folder + " " + kOneMode,
-                                   "ulimit -f " + std::string(blocks) + "; ");
-    EXPECT_EQ(run.code, 4) << blocks;
-    EXPECT_EQ(run.out, "") << blocks;
-    EXPECT_NE(run.err.find("cannot write"), std::string::npos) << run.err;
-    EXPECT_EQ(names_in(folder).size(), 5U) << blocks;
-    EXPECT_TRUE(read_text(folder + "/events.csv") == before) << blocks;
+    for (const char* samples : {"", "--record samples --sample-format npz "}) {
+      const Finished run =
+          run_graze("simulate --periods 10000 " + (samples + ("--out " + folder)) + " " + kOneMode,
+                    "ulimit -f " + std::string(blocks) + "; ");
+      EXPECT_EQ(run.code, 4) << blocks;
+      EXPECT_EQ(run.out, "") << blocks;
+      EXPECT_NE(run.err.find("cannot write"), std::string::npos) << run.err;
+      EXPECT_EQ(names_in(folder).size(), 5U) << blocks;
+      EXPECT_TRUE(read_text(folder + "/events.csv") == before) << blocks;
+    }
   }
 }
 

@@ -126,6 +126,23 @@ TEST(Resume, GoesOnSeveralTimes) {
   EXPECT_EQ(runs.document("3")["graze"]["options"]["resume_time"], 0.9);
 }
 
+// A picture wants more samples than the table has, which must not move those of the table.
+TEST(Resume, GoesOnWithAPictureAndWithout) {
+  Runs runs(kMomentum);
+  const std::string plot = "--plot " + runs.folder("motion.svg") + " ";
+  runs.run("whole", "--duration 1");
+  runs.run("drawn", plot + "--duration 0.5");
+  runs.run("bare", "--duration 0.5");
+  EXPECT_EQ(runs.table("drawn", "samples.csv"), runs.table("bare", "samples.csv"));
+  for (const char* first : {"drawn", "bare"})
+    for (const std::string& second : {std::string(), plot}) {
+      runs.run("second", second + "--duration 1 --resume " + runs.folder(first));
+      EXPECT_TRUE(joined(runs.table(first, "samples.csv"), runs.table("second", "samples.csv")) ==
+                  runs.table("whole", "samples.csv"))
+          << first << " " << second;
+    }
+}
+
 TEST(Resume, SamplesStartWhereThereWereNone) {
   const ScratchFolder scratch;
   const std::string first = (scratch / "first").string(), second = (scratch / "second").string();

@@ -7,6 +7,8 @@
 #include <set>
 
 #include "apps/program.hpp"
+#include "graze/fem/detail/numpy_array.hpp"
+#include "support/reference.hpp"
 
 namespace graze {
 namespace {
@@ -248,6 +250,51 @@ TEST(Simulate, TablesHoldWhatTheDocumentHolds) {
             "time,q1,q2,q3,q4,qdot1,qdot2,qdot3,qdot4,gap1,force1,energy,work_forcing,work_load,"
             "work_constraint,work_impacts,dissipation,work_contact");
   EXPECT_EQ(samples.back().substr(0, 2), "2,");
+}
+
+// To the last bit: what the table's text says, and an empty cell is no number.
+TEST(Simulate, ArraysOfSamplesHoldWhatTheirTableHolds) {
+  const ScratchFolder scratch;
+  const std::string table = (scratch / "table").string(), arrays = (scratch / "arrays").string();
+  const std::string line = "simulate --duration 2 --energy --record samples " +
+                           scene("16_strain_gauge.toml") + " --out ";
+  ASSERT_EQ(run_graze(line + table).code, 0);
+  ASSERT_EQ(run_graze(line + arrays + " --sample-format npz").code, 0);
+  EXPECT_EQ(names_in(arrays),
+            (std::vector<std::string>{"events.csv", "record.json", "result.json", "samples.npz",
+                                      "scene.toml", "state.toml"}));
+  const std::vector<std::string> rows = lines_of(table + "/samples.csv");
+  const std::vector<std::string> names = support::split_cells(rows[0]);
+  const auto members = zip_members(arrays + "/samples.npz");
+  ASSERT_EQ(members.size(), names.size());
+  std::vector<NumpyArray> columns;
+  for (const std::string& name : names) {
+    columns.push_back(numpy_array(name, members.at(name + ".npy")));
+    ASSERT_EQ(columns.back().values.size(), rows.size() - 1) << name;
+  }
+  int empty = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const std::vector<std::string> cells = support::split_cells(rows[i]);
+    for (std::size_t j = 0; j < names.size(); ++j) {
+      const double value = columns[j].values[i - 1];
+      const std::string cell = j < cells.size() ? cells[j] : "";
+      empty += cell.empty() ? 1 : 0;
+      EXPECT_TRUE(cell.empty() ? std::isnan(value) : std::stod(cell) == value)
+          << names[j] << ", row " << i << ": " << cell;
+    }
+  }
+  EXPECT_GT(empty, 0);
+}
+
+TEST(Simulate, ArraysOfSamplesGoWithAFolder) {
+  for (const char* options : {"--record samples", "--out run", ""}) {
+    const Finished run = run_graze("simulate --sample-format npz " + kOneMode + " " + options);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_NE(run.err.find("--sample-format: it needs --record samples and --out"),
+              std::string::npos)
+        << run.err;
+  }
+  EXPECT_EQ(run_graze("simulate --sample-format hdf " + kOneMode).code, 2);
 }
 
 // Of the shipped scene with a strain gauge: the last two columns, and their units.

@@ -1,5 +1,6 @@
 /* The C interface from C: results against closed forms and independent numbers, wrong calls.
  *   interface_test SCENES */
+#define _POSIX_C_SOURCE 200809L /* mkdtemp */
 #include <graze.h>
 #include <math.h>
 #include <stdio.h>
@@ -90,6 +91,26 @@ static void a_file_may_be_named(const char* folder) {
   EXPECT(graze_column_name(checked, "modes", 0) != NULL || graze_table_name(checked, 0) == NULL);
   EXPECT(strstr(graze_json(checked), "\"modes\"") != NULL);
   graze_free(checked);
+}
+
+/* A folder that a command wrote is the same result, without another word on standard output. */
+static void a_folder_is_read_again(const char* folder) {
+  char* scene = text_of(folder, "05_wagg_one_mode.toml");
+  char out[] = "/tmp/graze_c_XXXXXX", remove_it[64];
+  EXPECT(mkdtemp(out) != NULL);
+  graze_result* found =
+      graze_run(scene, WORDS("orbit", "--set", "forcing.frequency=40", "--out", out));
+  graze_result* seen = graze_run(NULL, WORDS("view", out));
+  EXPECT(graze_status(seen) == 0 && strcmp(graze_json(found), "") != 0);
+  EXPECT(strcmp(graze_json(seen), graze_json(found)) == 0);
+  size_t count = 0;
+  const double* speed = graze_column(seen, "orbits", "speed", &count, NULL);
+  EXPECT(speed && count == 1 && speed[0] == graze_column(found, "orbits", "speed", NULL, NULL)[0]);
+  graze_free(seen);
+  graze_free(found);
+  snprintf(remove_it, sizeof remove_it, "rm -r %s", out);
+  EXPECT(system(remove_it) == 0);
+  free(scene);
 }
 
 static void expect_refused(const char* scene, const char* const* words, size_t count, int status,
@@ -203,6 +224,7 @@ int main(int argc, char** argv) {
   a_ball_bounces();
   an_orbit_is_found(argv[1]);
   a_file_may_be_named(argv[1]);
+  a_folder_is_read_again(argv[1]);
   wrong_calls_are_told();
   numerics_that_cannot_say_so(argv[1]);
   a_watch_ends_the_work(argv[1]);

@@ -9,7 +9,7 @@ program=$1 folder=$2
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 scenes=$scratch/a_folder_whose_name_alone_is_longer_than_what_stands_in_one_line_of_most_terminals
-ln -s "$3" "$scenes"
+ln -s "$(realpath "$3")" "$scenes"
 scene=$scenes/02_wagg_momentum.toml
 failed=0
 fail() { echo "$*" >&2; failed=1; }
@@ -26,8 +26,16 @@ for command in $commands; do
   done
   zcat "$folder/man/graze.1.gz" | grep -q "^.BR graze.-$command (1)" || fail "graze(1) does not name $command"
 done
+# Of graze-mpi, whose ranks share what shards share.
+page=$(zcat "$folder/man_mpi/graze-mpi.1.gz" | sed 's/\\-/-/g; s/\\f[BIR]//g')
+for command in $commands; do
+  shared=$(options_of "$command" | grep -cx -e --shard)
+  named=$(grep -cx ".BR graze-$command (1),*" <<< "$page")
+  [ "$shared" = "$named" ] || fail "graze-mpi(1): $command"
+done
+[ "$(grep -c '^.BR graze-' <<< "$page")" = 3 ] || fail "graze-mpi(1) does not name the three commands with blocks"
 if command -v man > /dev/null; then
-  for page in "$folder"/man/*.gz; do
+  for page in "$folder"/man/*.gz "$folder"/man_mpi/*.gz; do
     told=$(LC_ALL=C.UTF-8 MANROFFSEQ='' MANWIDTH=80 man --warnings -E UTF-8 -l -Tutf8 -Z "$page" 2>&1 > /dev/null)
     [ -z "$told" ] || fail "$page: $told"
   done

@@ -22,8 +22,8 @@ class Taker final : public Caller {
   void hear_progress(double) override {}
   void hear(const Event& event) override { events_.push_back(event); }
   void hear(const Sample&) override {}
-  void begin_run(const System&, const std::vector<ProbeRow>&, bool) override {}
-  void take(AnyRecord, const Scene&) override {}
+  void begin_run(const System&, const std::vector<ProbeRow>&, bool, double) override {}
+  void take(AnyRecord, const Scene&, std::string) override {}
 
  private:
   std::atomic<bool> never_{false};

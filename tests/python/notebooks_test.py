@@ -19,7 +19,9 @@ def test_a_notebook_runs(file, monkeypatch):
     ).execute()
     shown = [output for cell in notebook.cells for output in cell.get("outputs", [])]
     assert any("text/html" in output.get("data", {}) for output in shown)
-    assert any("image/png" in output.get("data", {}) for output in shown)
+    for cell in notebook.cells:
+        pictures = sum("image/png" in output.get("data", {}) for output in cell.get("outputs", []))
+        assert pictures == cell.source.count(".plot("), cell.source
 
 
 def test_there_are_three_without_output():

@@ -118,3 +118,24 @@ def test_pages_and_pictures_are_the_programs(results, tmp_path):
         results["simulate"].save_picture(tmp_path / "motion.svg")
     with pytest.raises(graze.OptionError, match="ends in .svg"):
         results["orbit"].save_picture(tmp_path / "orbit.bmp")
+
+
+def test_parameters_stand_at_axes_in_units_that_read_well():
+    over = dict(parameter="forcing.frequency", from_=40, to=80)
+    plane = dict(second="stop.gap", second_from=0.5e-3, second_to=2e-3)
+    loci = graze.loci("data/scenes/05_wagg_one_mode.toml", **over, **plane, locus="PD", slices=2)
+    (axes,) = loci.plot().axes
+    assert axes.get_xlabel() == "forcing frequency Ω (rad/s)" and axes.get_ylabel() == "gap (mm)"
+    assert axes.get_ylim()[1] < 0.01 and axes.yaxis.get_major_formatter()(1.5e-3, 0) == "1.5"
+    pyplot.close("all")
+
+
+def test_every_colour_of_a_map_is_named():
+    over = dict(parameter="forcing.frequency", from_=2.4, to=3.0, points=24)
+    plane = dict(second="stop.gap", second_from=0.0, second_to=0.3, second_points=16)
+    figure = graze.map("data/scenes/04_impact_oscillator.toml", **over, **plane).plot()
+    mesh = figure.axes[0].collections[0]
+    drawn = {tuple(mesh.to_rgba(value)) for value in mesh.get_array().compressed()}
+    named = {patch.get_facecolor() for patch in figure.legends[0].get_patches()}
+    assert len(drawn) > 9 and drawn == named
+    pyplot.close("all")

@@ -6,6 +6,7 @@ import os
 import subprocess
 
 import graze
+import numpy as np
 import pytest
 from program_words import battery, call, is_slow
 
@@ -100,6 +101,19 @@ def test_tables_are_those_of_the_program(program, tmp_path):
                 continue
             for value, cell in zip(values, cells):
                 assert value == float(cell) if cell else value != value
+
+
+def test_arrays_of_a_folder_are_those_of_the_result(program, tmp_path):
+    words = ["simulate", "data/scenes/16_strain_gauge.toml", "--periods", "20", "--record", "samples",
+             "--energy"]
+    wanted = [*words, "--sample-format", "npz", "--out", str(tmp_path)]
+    subprocess.run([program, *wanted, "--quiet"], check=True, capture_output=True)
+    samples = call(words).samples
+    with np.load(tmp_path / "samples.npz", allow_pickle=False) as arrays:
+        assert arrays.files == samples.columns
+        for name in samples.columns:
+            assert arrays[name].dtype == np.float64
+            assert np.array_equal(arrays[name], samples[name], equal_nan=True)
 
 
 def test_out_writes_what_the_program_writes(program, tmp_path):

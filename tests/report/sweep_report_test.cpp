@@ -49,13 +49,14 @@ DiagramRecord record_of(std::vector<SweepRow> rows, DiagramSection section) {
 }
 
 TEST(SweepReport, OneLineASampleAndOneForAValueWithout) {
-  EXPECT_EQ(sweep_csv(record_of({periodic_row(), failed_row()}, DiagramSection::kImpact)),
-            "value,start,status,attractor,period,impacts,periods,remaining,sample,stop,"
-            "period_index,phase,speed,displacement,velocity\n"
-            "1.5,handed on,settled,impacts,2,2,50,5e-09,1,1,0,0.7168146928204138,0.25,,\n"
-            "1.5,handed on,settled,impacts,2,2,50,5e-09,2,1,1,1.25,0.5,,\n"
-            "2,scene,no start,no start,,,0,,,,,,,,\n");
-  EXPECT_EQ(sweep_csv(record_of({periodic_row()}, DiagramSection::kStroboscopic)),
+  EXPECT_EQ(
+      csv_text(sweep_table(record_of({periodic_row(), failed_row()}, DiagramSection::kImpact))),
+      "value,start,status,attractor,period,impacts,periods,remaining,sample,stop,"
+      "period_index,phase,speed,displacement,velocity\n"
+      "1.5,handed on,settled,impacts,2,2,50,5e-09,1,1,0,0.7168146928204138,0.25,,\n"
+      "1.5,handed on,settled,impacts,2,2,50,5e-09,2,1,1,1.25,0.5,,\n"
+      "2,scene,no start,no start,,,0,,,,,,,,\n");
+  EXPECT_EQ(csv_text(sweep_table(record_of({periodic_row()}, DiagramSection::kStroboscopic))),
             "value,start,status,attractor,period,impacts,periods,remaining,sample,stop,"
             "period_index,phase,speed,displacement,velocity\n"
             "1.5,handed on,settled,impacts,2,2,50,5e-09,1,1,0,,,0.125,0\n"

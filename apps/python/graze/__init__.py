@@ -23,6 +23,7 @@ from .periodic_orbits import Orbits, orbit
 from .result import Result
 from .scene import Scene
 from .simulation import Simulation, simulate
+from .stored import merge, view
 from .table import Table
 
 __all__ = [
@@ -30,5 +31,5 @@ __all__ = [
     "FileError", "Fit", "GrazeWarning", "Loci", "Map", "Modes", "NumericsError", "OptionError",
     "Orbits", "Result", "RunDiagram", "Scene", "SceneError", "Sensitivity", "Simulation",
     "SpecialPoint", "Table", "__version__", "check", "compare", "continuation", "continue_", "cost",
-    "diagram", "fit", "loci", "map", "modes", "orbit", "simulate",
+    "diagram", "fit", "loci", "map", "merge", "modes", "orbit", "simulate", "view",
 ]

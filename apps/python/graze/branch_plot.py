@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Iterator, Tuple
+from typing import Any, Iterator, List, Tuple
 
 import numpy as np
 
@@ -12,8 +12,8 @@ from .picture_style import add_legend, label, line_style, looks, one_axes, unit_
 
 def plot_branches(result: Any, axes: Any = None) -> Any:
     figure, cell = one_axes(axes)
-    _label_parameter(cell, result, result.document["parameter"], "x")
     _draw_branches(cell, result)
+    _label_parameter(cell, result, result.document["parameter"], "x")
     add_legend(figure, axes)
     return figure
 
@@ -49,13 +49,27 @@ def plot_loci(result: Any, axes: Any = None) -> Any:
     special = result.table("special")
     if special.rows:
         cell.plot(special["value"], special["second"], "o", color="#000000", markersize=3.0)
-        for name, x, y in zip(special["id"], special["value"], special["second"]):
-            cell.annotate(str(name), (x, y), fontsize=6.0, xytext=(2, 2), textcoords="offset points")
+        for names, place in _named_places(cell, special):
+            cell.annotate(names, place, fontsize=6.0, xytext=(2, 2), textcoords="offset points")
     options = result.document["graze"]["options"]
     _label_parameter(cell, result, options["parameter"], "x")
     _label_parameter(cell, result, options["second"], "y")
     add_legend(figure, axes)
     return figure
+
+
+def _named_places(cell: Any, special: Any) -> List[Tuple[str, Tuple[float, float]]]:
+    """The points with their names; those that stand too close for names of their own have one."""
+    spans = np.array([np.ptp(cell.get_xlim()), np.ptp(cell.get_ylim())])
+    places: List[Tuple[str, Tuple[float, float]]] = []
+    for name, x, y in zip(special["id"], special["value"], special["second"]):
+        for i, (names, place) in enumerate(places):
+            if np.abs((np.array((x, y)) - place) / spans).max() < 0.03:
+                places[i] = (f"{names}, {name}", place)
+                break
+        else:
+            places.append((str(name), (x, y)))
+    return places
 
 
 def draw_loci(cell: Any, loci: Any) -> None:
@@ -133,8 +147,15 @@ def _runs(*lists: Any) -> Iterator[slice]:
 
 
 def _label_parameter(cell: Any, result: Any, name: str, which: str) -> None:
-    unit = result.scene.unit(name)
-    getattr(cell, f"set_{which}label")(label(_core.parameter_title(name), unit))
+    """Of axes on which all is drawn. They stay in SI units; what is written at them is in those that
+    read best."""
+    from matplotlib.ticker import FuncFormatter
+
+    axis = getattr(cell, f"{which}axis")
+    factor, unit = unit_for(result.scene.unit(name), np.array(axis.get_view_interval()))
+    if factor != 1.0:
+        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{factor * value:.6g}"))
+    axis.set_label_text(label(_core.parameter_title(name), unit))
 
 
 def label_plane(cell: Any, result: Any, names: Tuple[str, str]) -> None:

@@ -82,9 +82,9 @@ def _run(name: str, scene: Any, data: Any, options: Dict[str, Any]) -> Any:
     except BaseException as error:  # Ctrl-C, or what `progress` raised
         reached = getattr(error, "result", None)
         if isinstance(reached, _core.FoundResult):
-            setattr(error, "result", _wrapped(reached, given))
+            setattr(error, "result", wrapped(reached, given))
         raise
-    result = _wrapped(found, given)
+    result = wrapped(found, given)
     if result is None:
         return None
     for warning in result.warnings:
@@ -94,7 +94,8 @@ def _run(name: str, scene: Any, data: Any, options: Dict[str, Any]) -> Any:
     return result
 
 
-def _wrapped(found: "_core.FoundResult", scene: Any) -> Optional[Result]:
+def wrapped(found: "_core.FoundResult", scene: Any) -> Optional[Result]:
+    """The result in the class of its kind."""
     return _kinds[found.kind](found, scene) if found.kind is not None else None
 
 

@@ -66,10 +66,13 @@ def _plot_cells(result: Any, table: Any, shown: List[str], axes: Any) -> Any:
     labels = sorted(set(shown), key=lambda name: -shown.count(name))
     grounds = {name: look for look in looks()["grounds"].values() for name in (look["id"], look["title"])}
     others = iter(looks()["other_grounds"])
-    colours = [
-        grounds[name]["colour"] if name in grounds else next(others, grounds["other"]["colour"])
-        for name in labels
-    ]
+    colours = [grounds[name]["colour"] if name in grounds else next(others, None) for name in labels]
+    # Those beyond the colours that there are share one.
+    rest = [name for name, colour in zip(labels, colours) if colour is None]
+    told = {name: colour for name, colour in zip(labels, colours) if colour}
+    if rest:
+        told[rest[0] if len(rest) == 1 else f"{len(rest)} other motions"] = grounds["other"]["colour"]
+    colours = [colour or grounds["other"]["colour"] for colour in colours]
     x, y, cells = _plane(table, [labels.index(name) for name in shown])
     cell.pcolormesh(
         x, y, cells, cmap=ListedColormap(colours or ["#FFFFFF"]),
@@ -79,6 +82,5 @@ def _plot_cells(result: Any, table: Any, shown: List[str], axes: Any) -> Any:
     label_plane(cell, result, (options["parameter"], options["second"]))
     if "loci" in result.tables:
         draw_loci(cell, result.table("loci"))
-    # A legend names those that have the most cells.
-    add_legend(figure, axes, [Patch(color=c, label=name) for name, c in zip(labels, colours)][:9])
+    add_legend(figure, axes, [Patch(color=colour, label=name) for name, colour in told.items()])
     return figure

@@ -14,6 +14,8 @@ def plot_motion(result: Any, axes: Any = None) -> Any:
         return _plot_section(result, axes)
     if "samples" in result.tables and result.scene.stops > 0:
         return _plot_gaps(result, axes)
+    if "events" not in result.tables:
+        raise ValueError("a run that was read has its events in its folder; save_picture() draws it")
     return _plot_speeds(result, axes)
 
 

@@ -58,11 +58,12 @@ def label(name: str, unit: str) -> str:
 
 def new_figure(rows: int, columns: int, heights: Any = None, width: float = 12.0) -> Any:
     """(figure, axes as a grid)."""
+    import matplotlib
     import matplotlib.pyplot as pyplot
 
     heights = heights or [5.0] * rows
     with pyplot.rc_context(STYLE):
-        return pyplot.subplots(
+        made = pyplot.subplots(
             rows,
             columns,
             squeeze=False,
@@ -70,6 +71,10 @@ def new_figure(rows: int, columns: int, heights: Any = None, width: float = 12.0
             gridspec_kw={"height_ratios": heights},
             constrained_layout=True,
         )
+        is_interactive = matplotlib.is_interactive()
+    # The first figure of a notebook makes it one that shows figures; that is no part of the style.
+    matplotlib.interactive(is_interactive)
+    return made
 
 
 def one_axes(axes: Any, height: float = 7.0) -> Any:

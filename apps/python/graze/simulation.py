@@ -46,6 +46,7 @@ def simulate(
     periods: Optional[int] = None,
     record: str = "events",
     sample_rate: Optional[float] = None,
+    sample_format: str = "csv",
     energy: bool = False,
     amplitudes: bool = False,
     amplitudes_from: Optional[float] = None,

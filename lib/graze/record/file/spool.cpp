@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+
 #include "graze/base/errors.hpp"
 
 namespace graze {
@@ -37,13 +39,17 @@ void Spool::read(const TextSink& sink) {
     if (!short_.empty()) sink(short_);
     return;
   }
+  for (std::size_t done = 0; done < size_; done += kPiece)
+    sink(piece(done, std::min(kPiece, size_ - done)));
+}
+
+std::string Spool::piece(std::size_t position, std::size_t size) {
+  if (!file_) return short_.substr(position, size);
   file_->flush();
-  for (std::size_t done = 0; done < size_;) {
-    const std::string piece = file_->read(done, kPiece);
-    if (piece.empty()) throw FileError(file_->path().string() + ": cannot read what was written");
-    sink(piece);
-    done += piece.size();
-  }
+  std::string bytes = file_->read(position, size);
+  if (bytes.size() < size)
+    throw FileError(file_->path().string() + ": cannot read what was written");
+  return bytes;
 }
 
 void Document::read(const TextSink& sink) const {

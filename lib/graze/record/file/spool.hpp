@@ -26,6 +26,8 @@ class Spool {
   bool empty() const { return size_ == 0; }
   // Hands out all of it, as often as wanted.
   void read(const TextSink& sink);
+  // The bytes from `position` on, which must be there.
+  std::string piece(std::size_t position, std::size_t size);
 
  private:
   std::filesystem::path folder_;

@@ -11,25 +11,22 @@
 #include "graze/record/records.hpp"
 #include "graze/record/section.hpp"
 #include "graze/report/csv/detail/csv_amplitudes.hpp"
-#include "graze/report/csv/detail/csv_cell.hpp"
 #include "graze/report/detail/names.hpp"
 #include "graze/system/detail/hub_state.hpp"
 
 namespace graze {
 
-std::string csv_cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
-std::string csv_cell(const std::optional<double>& value) { return value ? csv_cell(*value) : ""; }
-std::string csv_cell(const std::optional<bool>& value) { return value ? (*value ? "1" : "0") : ""; }
-
 namespace {
 
-// Of the first impact; empty where the orbit has none, at rest on its stop.
-std::string first_phase(const Orbit& orbit) {
-  return orbit.impacts.empty() ? "" : csv_cell(orbit.impacts.front().phase);
+std::string csv_cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+
+// Of the first impact; not a number where the orbit has none, at rest on its stop.
+double first_phase(const Orbit& orbit) {
+  return orbit.impacts.empty() ? NAN : orbit.impacts.front().phase;
 }
 
-std::string first_speed(const Orbit& orbit) {
-  return orbit.impacts.empty() ? "" : csv_cell(orbit.impacts.front().speed);
+double first_speed(const Orbit& orbit) {
+  return orbit.impacts.empty() ? NAN : orbit.impacts.front().speed;
 }
 
 }  // namespace
@@ -66,23 +63,39 @@ std::string events_csv_row(const Event& event) {
   return text + "\n";
 }
 
+ResultTable events_table(const std::vector<Event>& events) {
+  ResultTable table(events_csv_header());
+  std::array<double, kEventNumbers> row{};
+  for (const Event& event : events) {
+    write_event_row(event, row.data());
+    table.add(name_of(event.kind));
+    for (const double value : row) table.add(value);
+  }
+  return table;
+}
+
+std::vector<std::string> sample_columns(const System& system, bool energy,
+                                        const std::vector<ProbeRow>& probes) {
+  std::vector<std::string> names = {"time"};
+  const auto add = [&](const char* name, std::size_t count) {
+    for (std::size_t i = 1; i <= count; ++i) names.push_back(fmt::format("{}{}", name, i));
+  };
+  if (system.turns()) names.insert(names.end(), {"angle", "rate"});
+  const auto modes = static_cast<std::size_t>(system.modes() - (system.turns() ? 1 : 0));
+  add("q", modes);
+  add("qdot", modes);
+  add("gap", system.stops.size());
+  add("force", system.stops.size());
+  if (energy)
+    names.insert(names.end(), {"energy", "work_forcing", "work_load", "work_constraint",
+                               "work_impacts", "dissipation", "work_contact"});
+  add("probe_", probes.size());
+  return names;
+}
+
 std::string samples_csv_header(const System& system, bool energy,
                                const std::vector<ProbeRow>& probes) {
-  std::string text = "time";
-  const auto columns = [&](const char* name, std::size_t count) {
-    for (std::size_t i = 1; i <= count; ++i)
-      fmt::format_to(std::back_inserter(text), ",{}{}", name, i);
-  };
-  if (system.turns()) text += ",angle,rate";
-  const auto modes = static_cast<std::size_t>(system.modes() - (system.turns() ? 1 : 0));
-  columns("q", modes);
-  columns("qdot", modes);
-  columns("gap", system.stops.size());
-  columns("force", system.stops.size());
-  if (energy)
-    text += ",energy,work_forcing,work_load,work_constraint,work_impacts,dissipation,work_contact";
-  columns("probe_", probes.size());
-  return text + "\n";
+  return fmt::format("{}\n", fmt::join(sample_columns(system, energy, probes), ","));
 }
 
 std::size_t sample_numbers(const System& system, const Sample& sample,
@@ -134,20 +147,18 @@ std::string samples_csv_row(const System& system, const Sample& sample,
   return text + "\n";
 }
 
-std::string section_csv(const RunSection& section) {
-  std::string text = section.kind() == DiagramSection::kImpact
-                         ? "time,stop,phase,speed\n"
-                         : "time,stop,displacement,velocity\n";
+ResultTable section_table(const RunSection& section) {
+  const bool of_impacts = section.kind() == DiagramSection::kImpact;
+  ResultTable table(of_impacts ? "time,stop,phase,speed" : "time,stop,displacement,velocity");
   for (const SectionPoint& point : section.points())
-    text += fmt::format("{},{},{},{}\n", csv_cell(point.time), point.stop + 1,
-                        csv_cell(point.across), csv_cell(point.up));
-  return text;
+    table.add(point.time, point.stop + 1, point.across, point.up);
+  return table;
 }
 
-std::string orbits_csv(const OrbitRecord& record) {
-  std::string text =
-      "orbit,period,impacts,impact,stop,period_index,phase,speed,stable,admissible,clearance,"
-      "largest_multiplier,residual,stuck\n";
+ResultTable orbits_table(const OrbitRecord& record) {
+  ResultTable table(
+      "orbit,period,impacts,impact,stop,period_index,phase,speed,stable,admissible,"
+      "clearance,largest_multiplier,residual,stuck");
   int number = 0;
   for (const Orbit& orbit : record.found.orbits) {
     ++number;
@@ -155,86 +166,83 @@ std::string orbits_csv(const OrbitRecord& record) {
     const double largest =
         orbit.multipliers.empty() ? NAN : std::abs(orbit.multipliers.front().value);
     for (const OrbitImpact& impact : orbit.impacts)
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                     number, orbit.period, orbit.impacts.size(), ++index, impact.stop + 1,
-                     impact.period_index, csv_cell(impact.phase), csv_cell(impact.speed),
-                     csv_cell(orbit.stable), orbit.admissible ? 1 : 0, csv_cell(orbit.clearance),
-                     csv_cell(largest), csv_cell(orbit.residual), orbit.sticks() ? 1 : 0);
+      table.add(number, orbit.period, orbit.impacts.size(), ++index, impact.stop + 1,
+                impact.period_index, impact.phase, impact.speed, orbit.stable, orbit.admissible,
+                orbit.clearance, largest, orbit.residual, orbit.sticks());
   }
-  return text;
+  return table;
 }
 
-std::string stuck_csv(const OrbitRecord& record) {
-  std::string text =
+ResultTable stuck_table(const OrbitRecord& record) {
+  ResultTable table(
       "orbit,stop,from_period_index,from_phase,to_period_index,to_phase,duration,force,"
-      "smallest_force\n";
-  for (std::size_t i = 0; i < record.found.orbits.size(); ++i) {
+      "smallest_force");
+  for (std::size_t i = 0; i < record.found.orbits.size(); ++i)
     for (const StickingPhase& sticking : record.found.orbits[i].sticking)
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{}\n", i + 1,
-                     sticking.stop + 1, sticking.from.period_index, csv_cell(sticking.from.phase),
-                     sticking.to.period_index, csv_cell(sticking.to.phase),
-                     csv_cell(sticking.duration), csv_cell(sticking.force),
-                     csv_cell(sticking.smallest_force));
-  }
-  return text;
+      table.add(i + 1, sticking.stop + 1, sticking.from.period_index, sticking.from.phase,
+                sticking.to.period_index, sticking.to.phase, sticking.duration, sticking.force,
+                sticking.smallest_force);
+  return table;
 }
 
-std::string contacts_csv(const OrbitRecord& record) {
-  std::string text = "orbit,impact,stop,duration,peak_force,effective_restitution,energy_change\n";
+ResultTable contacts_table(const OrbitRecord& record) {
+  ResultTable table("orbit,impact,stop,duration,peak_force,effective_restitution,energy_change");
   for (std::size_t i = 0; i < record.found.orbits.size(); ++i) {
     const Orbit& orbit = record.found.orbits[i];
     for (std::size_t k = 0; k < orbit.impacts.size(); ++k) {
       if (!orbit.impacts[k].contact) continue;
       const OrbitContact& contact = *orbit.impacts[k].contact;
       if (!(contact.duration > 0.0)) continue;
-      fmt::format_to(
-          std::back_inserter(text), "{},{},{},{},{},{},{}\n", i + 1, k + 1,
-          orbit.impacts[k].stop + 1, csv_cell(contact.duration), csv_cell(contact.peak_force),
-          csv_cell(contact.speed_after / orbit.impacts[k].speed), csv_cell(-contact.taken));
+      table.add(i + 1, k + 1, orbit.impacts[k].stop + 1, contact.duration, contact.peak_force,
+                contact.speed_after / orbit.impacts[k].speed, -contact.taken);
     }
   }
-  return text;
+  return table;
 }
 
-std::string branches_csv(const BranchRecord& record) {
-  std::string text =
-      "branch,component,period,impacts,value,phase,speed,stable,admissible,unstable_multipliers,"
-      "clearance,stuck";
-  text += amplitude_columns(record.amplitudes.places) + "\n";
+ResultTable branches_table(const BranchRecord& record) {
+  std::string names =
+      "branch,component,period,impacts,value,phase,speed,stable,admissible,"
+      "unstable_multipliers,clearance,stuck";
+  names += amplitude_columns(record.amplitudes.places);
+  ResultTable table(names);
   for (std::size_t i = 0; i < record.traced.branches.size(); ++i) {
     const OrbitBranch& branch = record.traced.branches[i];
     for (std::size_t k = 0; k < branch.points.size(); ++k) {
       const OrbitBranchPoint& point = branch.points[k];
-      const Amplitudes* measured =
-          record.amplitudes.empty() ? nullptr : &record.amplitudes.branches[i].points[k];
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{}{}\n", branch.id,
-                     branch.component, branch.pattern.period, point.orbit.impacts.size(),
-                     csv_cell(point.value), first_phase(point.orbit), first_speed(point.orbit),
-                     csv_cell(point.orbit.stable), point.orbit.admissible ? 1 : 0,
-                     point.unstable_multipliers, csv_cell(point.orbit.clearance),
-                     branch.sticks() ? 1 : 0, amplitude_cells(record.amplitudes.places, measured));
+      const Orbit& orbit = point.orbit;
+      table.add(branch.id, branch.component, branch.pattern.period, orbit.impacts.size(),
+                point.value, first_phase(orbit), first_speed(orbit), orbit.stable, orbit.admissible,
+                point.unstable_multipliers, orbit.clearance, branch.sticks());
+      add_amplitudes(record.amplitudes.places,
+                     record.amplitudes.empty() ? nullptr : &record.amplitudes.branches[i].points[k],
+                     table);
     }
   }
-  return text;
+  return table;
 }
 
-std::string special_csv(const BranchRecord& record) {
-  std::string text =
-      "id,label,branch,value,phase,speed,multiplier_re,multiplier_im,bracket_from,bracket_to,"
-      "converged\n";
+ResultTable special_table(const BranchRecord& record) {
+  ResultTable table(
+      "id,label,branch,value,phase,speed,multiplier_re,multiplier_im,bracket_from,"
+      "bracket_to,converged");
   for (const OrbitBranch& branch : record.traced.branches)
     for (const SpecialPoint& s : branch.special) {
-      const std::optional<SpecialPoint::Impact> impact = s.impact();
-      const std::optional<Bracket>& bracket = s.solution.bracket;
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{}\n", s.id,
-                     label_of(s.kind), branch.id, csv_cell(s.at.value),
-                     impact ? csv_cell(impact->phase) : "", impact ? csv_cell(impact->speed) : "",
-                     s.multiplier ? csv_cell(s.multiplier->real()) : "",
-                     s.multiplier ? csv_cell(s.multiplier->imag()) : "",
-                     bracket ? csv_cell(bracket->from) : "", bracket ? csv_cell(bracket->to) : "",
-                     bracket ? (bracket->converged ? "1" : "0") : "");
+      table.add(s.id, label_of(s.kind), branch.id, s.at.value);
+      if (const std::optional<SpecialPoint::Impact> impact = s.impact())
+        table.add(impact->phase, impact->speed);
+      else
+        table.skip(2);
+      if (s.multiplier)
+        table.add(s.multiplier->real(), s.multiplier->imag());
+      else
+        table.skip(2);
+      if (const std::optional<Bracket>& bracket = s.solution.bracket)
+        table.add(bracket->from, bracket->to, bracket->converged);
+      else
+        table.skip(3);
     }
-  return text;
+  return table;
 }
 
 }  // namespace graze

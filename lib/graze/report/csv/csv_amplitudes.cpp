@@ -2,8 +2,6 @@
 
 #include <complex>
 
-#include "graze/report/csv/detail/csv_cell.hpp"
-
 namespace graze {
 namespace {
 
@@ -23,35 +21,28 @@ std::string amplitude_columns(const std::vector<MeasuredPlace>& places) {
   return text;
 }
 
-std::string amplitude_cells(const std::vector<MeasuredPlace>& places, const Amplitudes* measured) {
-  std::string text;
-  const auto add = [&](const std::optional<double>& value) { text += "," + csv_cell(value); };
+void add_amplitudes(const std::vector<MeasuredPlace>& places, const Amplitudes* measured,
+                    ResultTable& table) {
   const bool known = measured && measured->rows.size() == places.size();
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!known) {
-      text.append(std::size(kOfPlaces), ',');
+      table.skip(std::size(kOfPlaces));
       continue;
     }
     const Amplitude& row = measured->rows[i];
-    for (const double value :
-         {row.largest(), row.highest, row.lowest, row.half_range(), row.mean, row.rms})
-      add(value);
-    add(row.harmonic ? std::optional(std::abs(*row.harmonic)) : std::nullopt);
-    add(row.speed);
+    table.add(row.largest(), row.highest, row.lowest, row.half_range(), row.mean, row.rms);
+    table.add(row.harmonic ? std::optional(std::abs(*row.harmonic)) : std::nullopt, row.speed);
   }
   for (const MeasuredPlace& place : places) {
     if (!place.stop) continue;
     if (!known) {
-      text.append(std::size(kOfStops), ',');
+      table.skip(std::size(kOfStops));
       continue;
     }
     const StopLoad& load = measured->stops[static_cast<std::size_t>(*place.stop)];
-    add(static_cast<double>(load.impacts) / measured->duration);
-    add(load.impulse);
-    add(load.peak_force);
-    add(load.rms_force);
+    table.add(static_cast<double>(load.impacts) / measured->duration, load.impulse, load.peak_force,
+              load.rms_force);
   }
-  return text;
 }
 
 }  // namespace graze

@@ -1,49 +1,44 @@
-#include <fmt/format.h>
-
-#include <iterator>
-
 #include "graze/bifurcation/loci/orbit_loci.hpp"
 #include "graze/record/detail/loci_record.hpp"
 #include "graze/report/csv/csv.hpp"
-#include "graze/report/csv/detail/csv_cell.hpp"
 #include "graze/study/plane/stable_regions.hpp"
 
 namespace graze {
 namespace {
 
-std::string cells(const OrbitLocusPoint& point) {
-  return fmt::format("{},{},{},{},{},{}", csv_cell(point.value), csv_cell(point.second),
-                     csv_cell(point.angle), csv_cell(point.impacts.front().phase),
-                     csv_cell(point.impacts.front().speed), point.admissible ? 1 : 0);
+void add_point(const OrbitLocusPoint& point, ResultTable& table) {
+  table.add(point.value, point.second, point.angle, point.impacts.front().phase,
+            point.impacts.front().speed, point.admissible);
 }
 
 }  // namespace
 
-std::string loci_csv(const OrbitLoci& traced) {
-  std::string text = "locus,label,period,impacts,value,second,angle,phase,speed,admissible\n";
+ResultTable loci_table(const OrbitLoci& traced) {
+  ResultTable table("locus,label,period,impacts,value,second,angle,phase,speed,admissible");
   for (const OrbitLocus& locus : traced.loci)
-    for (const OrbitLocusPoint& point : locus.points)
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", locus.id, label_of(locus.kind),
-                     locus.pattern.period, point.impacts.size(), cells(point));
-  return text;
+    for (const OrbitLocusPoint& point : locus.points) {
+      table.add(locus.id, label_of(locus.kind), locus.pattern.period, point.impacts.size());
+      add_point(point, table);
+    }
+  return table;
 }
 
-std::string special_csv(const LociRecord& record) {
-  std::string text = "id,label,locus,value,second,angle,phase,speed,admissible\n";
+ResultTable special_table(const LociRecord& record) {
+  ResultTable table("id,label,locus,value,second,angle,phase,speed,admissible");
   for (const OrbitLocus& locus : record.traced.loci)
-    for (const OrbitLocusSpecial& special : locus.special)
-      fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", special.id, special.label, locus.id,
-                     cells(special.at));
-  return text;
+    for (const OrbitLocusSpecial& special : locus.special) {
+      table.add(special.id, special.label, locus.id);
+      add_point(special.at, table);
+    }
+  return table;
 }
 
-std::string regions_csv(const StableRegions& regions) {
-  std::string text = "value,second,area,label\n";
+ResultTable regions_table(const StableRegions& regions) {
+  ResultTable table("value,second,area,label");
   for (const RegionPlace& place : regions.places)
     if (place.finished)
-      fmt::format_to(std::back_inserter(text), "{},{},{},\"{}\"\n", csv_cell(place.value),
-                     csv_cell(place.second), place.area + 1, label_of(place.stable));
-  return text;
+      table.add(place.value, place.second, place.area + 1, label_of(place.stable));
+  return table;
 }
 
 }  // namespace graze

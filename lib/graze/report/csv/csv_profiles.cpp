@@ -1,11 +1,6 @@
-#include <fmt/format.h>
-
-#include <iterator>
-
 #include "graze/orbit/detail/orbit_curve.hpp"
 #include "graze/record/records.hpp"
 #include "graze/report/csv/csv.hpp"
-#include "graze/report/csv/detail/csv_cell.hpp"
 
 namespace graze {
 namespace {
@@ -14,13 +9,13 @@ constexpr int kSamplesPerPeriod = 200;
 
 }  // namespace
 
-std::string profiles_csv(const OrbitRecord& record) {
-  std::string text = "orbit,flight,time,phase";
+ResultTable profiles_table(const OrbitRecord& record) {
+  std::string names = "orbit,flight,time,phase";
   for (const MeasuredPlace& place : record.places) {
-    text += "," + place.name('_');
-    if (!place.seen.of_velocity) text += "," + place.name('_') + "_velocity";
+    names += "," + place.name('_');
+    if (!place.seen.of_velocity) names += "," + place.name('_') + "_velocity";
   }
-  text += "\n";
+  ResultTable table(names);
   for (std::size_t k = 0; k < record.found.orbits.size(); ++k) {
     // Every place is sampled at the same instants.
     std::vector<std::vector<std::vector<CurveSample>>> curves;
@@ -31,17 +26,15 @@ std::string profiles_csv(const OrbitRecord& record) {
       for (std::size_t i = 0; i < curves[0][flight].size(); ++i) {
         const double theta = curves[0][flight][i].theta;
         const HarmonicForcing& forcing = *record.system.forcing();
-        fmt::format_to(std::back_inserter(text), "{},{},{},{}", k + 1, flight + 1,
-                       csv_cell((theta - forcing.phase) / forcing.frequency), csv_cell(theta));
+        table.add(k + 1, flight + 1, (theta - forcing.phase) / forcing.frequency, theta);
         for (std::size_t place = 0; place < curves.size(); ++place) {
           const CurveSample& sample = curves[place][flight][i];
-          if (!record.places[place].seen.of_velocity) text += "," + csv_cell(sample.displacement);
-          text += "," + csv_cell(sample.velocity);
+          if (!record.places[place].seen.of_velocity) table.add(sample.displacement);
+          table.add(sample.velocity);
         }
-        text += "\n";
       }
   }
-  return text;
+  return table;
 }
 
 }  // namespace graze

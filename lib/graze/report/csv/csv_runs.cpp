@@ -2,36 +2,31 @@
 
 #include "graze/record/detail/run_diagram_record.hpp"
 #include "graze/report/csv/csv.hpp"
-#include "graze/report/csv/detail/csv_cell.hpp"
 
 namespace graze {
 
-std::string run_impacts_csv(const RunDiagramRecord& record) {
-  std::string text = "value,impact,time,stop,speed\n";
+ResultTable run_impacts_table(const RunDiagramRecord& record) {
+  ResultTable table("value,impact,time,stop,speed");
   for (const ValueRun& run : record.runs) {
-    if (run.impacts.empty()) text += csv_cell(run.value) + ",,,,\n";
+    if (run.impacts.empty()) table.add(run.value).skip(4);
     for (std::size_t k = 0; k < run.impacts.size(); ++k) {
       const RunImpact& impact = run.impacts[k];
-      text += fmt::format("{},{},{},{},{}\n", csv_cell(run.value), k + 1, csv_cell(impact.time),
-                          impact.stop + 1, csv_cell(impact.speed));
+      table.add(run.value, k + 1, impact.time, impact.stop + 1, impact.speed);
     }
   }
-  return text;
+  return table;
 }
 
-std::string runs_csv(const RunDiagramRecord& record) {
-  std::string text = "value,reached_end,impacts";
+ResultTable runs_table(const RunDiagramRecord& record) {
+  std::string names = "value,reached_end,impacts";
   for (std::size_t i = 1; i <= record.probes.size(); ++i)
-    text += fmt::format(",peak_{0},end_{0}", i);
-  text += "\n";
+    names += fmt::format(",peak_{0},end_{0}", i);
+  ResultTable table(names);
   for (const ValueRun& run : record.runs) {
-    text += fmt::format("{},{:d},{}", csv_cell(run.value), run.outcome == RunOutcome::kReachedEnd,
-                        run.impacts.size());
-    for (std::size_t i = 0; i < record.probes.size(); ++i)
-      text += "," + csv_cell(run.peaks[i]) + "," + csv_cell(run.ends[i]);
-    text += "\n";
+    table.add(run.value, run.outcome == RunOutcome::kReachedEnd, run.impacts.size());
+    for (std::size_t i = 0; i < record.probes.size(); ++i) table.add(run.peaks[i], run.ends[i]);
   }
-  return text;
+  return table;
 }
 
 }  // namespace graze

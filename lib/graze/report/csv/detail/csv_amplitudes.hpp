@@ -6,12 +6,14 @@
 
 #include "graze/assembly/probes.hpp"
 #include "graze/motion/amplitudes.hpp"
+#include "graze/report/csv/result_table.hpp"
 
 namespace graze {
 
-// Each with a comma before it; none without places.
+// Their names, each with a comma before it; none without places.
 std::string amplitude_columns(const std::vector<MeasuredPlace>& places);
-// Empty cells where nothing was measured.
-std::string amplitude_cells(const std::vector<MeasuredPlace>& places, const Amplitudes* measured);
+// Adds their cells to a row, without values where nothing was measured.
+void add_amplitudes(const std::vector<MeasuredPlace>& places, const Amplitudes* measured,
+                    ResultTable& table);
 
 }  // namespace graze

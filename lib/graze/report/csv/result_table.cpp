@@ -1,0 +1,142 @@
+#include "graze/report/csv/result_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <sstream>
+
+namespace graze {
+namespace {
+
+constexpr std::size_t kPiece = 64 * 1024;  // of text
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+using Text = std::back_insert_iterator<std::string>;
+
+void write_word(const std::string& word, std::string& text) {
+  if (word.find_first_of(",\"") == std::string::npos) {
+    text += word;
+    return;
+  }
+  text += '"';
+  for (const char letter : word) text.append(letter == '"' ? 2 : 1, letter);
+  text += '"';
+}
+
+struct CellWriter {
+  std::size_t row;
+  std::string& text;
+
+  void operator()(const std::vector<std::int64_t>& list) const {
+    fmt::format_to(Text(text), "{}", list[row]);
+  }
+  void operator()(const std::vector<double>& list) const {
+    if (std::isfinite(list[row])) fmt::format_to(Text(text), "{}", list[row]);
+  }
+  void operator()(const WordColumn& list) const {
+    if (list.codes[row] >= 0)
+      write_word(list.words[static_cast<std::size_t>(list.codes[row])], text);
+  }
+};
+
+std::size_t rows_of(const ResultColumn& column) {
+  if (const auto* words = std::get_if<WordColumn>(&column.values)) return words->codes.size();
+  if (const auto* whole = std::get_if<std::vector<std::int64_t>>(&column.values))
+    return whole->size();
+  return std::get<std::vector<double>>(column.values).size();
+}
+
+// The column's numbers; whole ones become numbers among others.
+std::vector<double>& numbers_of(ResultColumn& column) {
+  if (const auto* whole = std::get_if<std::vector<std::int64_t>>(&column.values))
+    column.values = std::vector<double>(whole->begin(), whole->end());
+  return std::get<std::vector<double>>(column.values);
+}
+
+}  // namespace
+
+ResultTable::ResultTable(const std::string& names) {
+  std::istringstream list(names.substr(0, names.find('\n')));
+  for (std::string name; std::getline(list, name, ',');)
+    columns_.push_back({name, std::vector<std::int64_t>()});
+  places_.resize(columns_.size());
+}
+
+ResultColumn& ResultTable::next_column() {
+  ResultColumn& column = columns_[next_];
+  next_ = (next_ + 1) % columns_.size();
+  return column;
+}
+
+void ResultTable::add_number(double value) {
+  numbers_of(next_column()).push_back(std::isfinite(value) ? value : kNone);
+}
+
+void ResultTable::add_whole(std::int64_t value) {
+  ResultColumn& column = next_column();
+  if (auto* whole = std::get_if<std::vector<std::int64_t>>(&column.values))
+    whole->push_back(value);
+  else
+    numbers_of(column).push_back(static_cast<double>(value));
+}
+
+void ResultTable::add_word(std::string_view word) {
+  auto& places = places_[next_];
+  ResultColumn& column = next_column();
+  if (!std::holds_alternative<WordColumn>(column.values))
+    column.values = WordColumn{std::vector<std::int32_t>(rows_of(column), -1), {}};
+  auto& list = std::get<WordColumn>(column.values);
+  if (word.empty()) {
+    list.codes.push_back(-1);
+    return;
+  }
+  const auto [at, is_new] =
+      places.emplace(std::string(word), static_cast<std::int32_t>(list.words.size()));
+  if (is_new) list.words.emplace_back(word);
+  list.codes.push_back(at->second);
+}
+
+ResultTable& ResultTable::skip(std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    ResultColumn& column = next_column();
+    if (auto* words = std::get_if<WordColumn>(&column.values))
+      words->codes.push_back(-1);
+    else
+      numbers_of(column).push_back(kNone);
+  }
+  return *this;
+}
+
+std::vector<ResultColumn> ResultTable::take_columns() {
+  for (ResultColumn& column : columns_)
+    if (rows_of(column) == 0) column.values = std::vector<double>();
+  return std::move(columns_);
+}
+
+void ResultTable::write_csv(const TextSink& sink) const {
+  std::string text;
+  for (const ResultColumn& column : columns_) text += (text.empty() ? "" : ",") + column.name;
+  text += '\n';
+  const std::size_t rows = columns_.empty() ? 0 : rows_of(columns_.front());
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t j = 0; j < columns_.size(); ++j) {
+      if (j > 0) text += ',';
+      std::visit(CellWriter{row, text}, columns_[j].values);
+    }
+    text += '\n';
+    if (text.size() < kPiece) continue;
+    sink(text);
+    text.clear();
+  }
+  sink(text);
+}
+
+std::string csv_text(const ResultTable& table) {
+  std::string text;
+  table.write_csv([&](std::string_view piece) { text += piece; });
+  return text;
+}
+
+}  // namespace graze

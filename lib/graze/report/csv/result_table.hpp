@@ -1,0 +1,83 @@
+// A table of a result: named columns of numbers or words, filled row by row.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <variant>
+#include <vector>
+
+#include "graze/record/file/spool.hpp"
+
+namespace graze {
+
+// Words that stand often, each by its place among those that there are; -1: none.
+struct WordColumn {
+  std::vector<std::int32_t> codes;
+  std::vector<std::string> words;
+};
+
+struct ResultColumn {
+  std::string name;
+  // Whole numbers, where all are and none is missing; numbers, NaN for those that are; or words.
+  std::variant<std::vector<std::int64_t>, std::vector<double>, WordColumn> values;
+};
+
+class ResultTable {
+ public:
+  // `names`: a line of the columns' names, with commas between them.
+  explicit ResultTable(const std::string& names);
+
+  // The next cells, from left to right; behind the last column of a row the next one begins. A
+  // number that is not finite, an empty optional and an empty word are no value. A column holds
+  // numbers or words, never both.
+  template <class... Cells>
+  ResultTable& add(const Cells&... cells) {
+    (add_cell(cells), ...);
+    return *this;
+  }
+  // So many cells without a value.
+  ResultTable& skip(std::size_t count);
+
+  const std::vector<ResultColumn>& columns() const { return columns_; }
+  // Those of an empty table are columns of numbers. Empties this.
+  std::vector<ResultColumn> take_columns();
+
+  // As comma-separated text: a row of names, then every number with all its digits; words with
+  // commas or quotes stand in quotes. Row by row.
+  void write_csv(const TextSink& sink) const;
+
+ private:
+  void add_number(double value);
+  void add_whole(std::int64_t value);
+  void add_word(std::string_view word);
+
+  void add_cell(double value) { add_number(value); }
+  template <std::integral Whole>
+  void add_cell(Whole value) {
+    add_whole(static_cast<std::int64_t>(value));
+  }
+  void add_cell(std::string_view word) { add_word(word); }
+  void add_cell(std::nullopt_t) { skip(1); }
+  template <class Cell>
+  void add_cell(const std::optional<Cell>& cell) {
+    if (cell)
+      add_cell(*cell);
+    else
+      skip(1);
+  }
+
+  ResultColumn& next_column();
+
+  std::vector<ResultColumn> columns_;
+  std::vector<std::unordered_map<std::string, std::int32_t>> places_;  // of words
+  std::size_t next_ = 0;                                               // column
+};
+
+// Its text in one piece.
+std::string csv_text(const ResultTable& table);
+
+}  // namespace graze
