@@ -163,21 +163,23 @@ LocusAnswer LocusTracer::trace_critical(const OrbitLocusStart& start) {
   };
   for (const Written& one : list) {
     Critical& critical = critical_of(*one.orbits);
-    if (critical.traced[start.kind].empty()) continue;
+    const KnownLoci& traced = critical.traced[start.kind];
+    if (traced.empty()) continue;
     answer.known =
-        answer.known || find_locus((*one.orbits)->problem(), options_for(*critical.orbits),
-                                   critical.traced[start.kind], start_at(one))
-                            .has_value();
+        answer.known ||
+        traced.find((*one.orbits)->problem(), options_for(*critical.orbits), start_at(one))
+            .has_value();
   }
   // While as many stops are closed as there are modes all multipliers are zero.
   if (answer.known || list.empty() || !(*list.front().orbits)->has_multipliers()) return answer;
   Critical& critical = critical_of(*list.front().orbits);
-  std::optional<Locus> locus = trace_locus((*list.front().orbits)->problem(),
-                                           options_for(*critical.orbits), start_at(list.front()));
+  const ZeroProblem& problem = (*list.front().orbits)->problem();
+  const std::optional<Locus> locus =
+      trace_locus(problem, options_for(*critical.orbits), start_at(list.front()));
   if (!locus) return answer;
   answer.evaluations = locus->evaluations;
   answer.trace = as_trace(start.kind, *critical.orbits, *locus);
-  critical.traced[start.kind].push_back(std::move(*locus));
+  critical.traced[start.kind].add(problem, options_for(*critical.orbits), *locus);
   return answer;
 }
 
@@ -328,14 +330,16 @@ LocusAnswer LocusTracer::trace_along(const OrbitLocusStart& start) {
       point_on_curve(problem, options, at.unknown, start.second);
   if (!point) return answer;
   const ContinuationOptions along = branch_options(problem, options);
+  Corrector corrector(problem.problem, along);
   for (const SolutionPoint& same : curve.rewritings(*point))
-    for (const Branch& branch : at.curves->traced)
-      answer.known = answer.known || lies_on(problem.problem, along, branch, same);
+    for (const KnownBranch& branch : at.curves->traced)
+      answer.known = answer.known || branch.has(corrector, same);
   if (answer.known) return answer;
   PlaneCurve traced = trace_curve(problem, options, *point);
   answer.evaluations = traced.branch.evaluations;
   answer.trace = as_trace(start.kind, curve, traced);
-  at.curves->traced.push_back(std::move(traced.branch));
+  at.curves->traced.emplace_back(corrector, std::move(traced.branch.points), problem.problem.wrap,
+                                 along.max_turn);
   return answer;
 }
 

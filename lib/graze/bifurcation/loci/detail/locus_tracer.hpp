@@ -12,7 +12,8 @@
 #include "graze/bifurcation/loci/detail/orbit_curve.hpp"
 #include "graze/bifurcation/loci/locus_continuations.hpp"
 #include "graze/bifurcation/trace/detail/orbit_problems.hpp"
-#include "graze/continuation/locus/locus.hpp"
+#include "graze/continuation/branch/detail/known_branch.hpp"
+#include "graze/continuation/locus/detail/known_loci.hpp"
 
 namespace graze {
 
@@ -44,12 +45,12 @@ class LocusTracer {
   // LP, PD and NS of the orbits of one layout.
   struct Critical {
     std::unique_ptr<LocusOrbits> orbits;
-    std::map<OrbitLocusKind, std::vector<Locus>> traced;
+    std::map<OrbitLocusKind, KnownLoci> traced;
   };
   // Curves of a kind of one layout, of grazing contacts at one stop.
   struct Curves {
     std::unique_ptr<OrbitCurve> curve;
-    std::vector<Branch> traced{};
+    std::vector<KnownBranch> traced{};
   };
   // The unknown of a curve near a start.
   struct CurveStart {
