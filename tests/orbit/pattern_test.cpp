@@ -264,7 +264,10 @@ TEST(Patterns, RoughGuessesWhereAModeRepeatsByItself) {
 
 TEST(Patterns, ASearchInVainSaysWhatWasTried) {
   const System system = support::forced_oscillator(1.0, 0.05, 50.0, 0.8, 2.0, 1.0);
-  const FoundOrbits found = find_orbits(system, {}, searching(1, 2));
+  const FoundOrbits two = find_orbits(system, {}, searching(1, 2));
+  EXPECT_TRUE(two.orbits.empty());
+  EXPECT_EQ(two.tried, "0 solutions of the closed form (two impacts on 1 sequence of stops)");
+  const FoundOrbits found = find_orbits(system, {}, searching(1, 3));
   EXPECT_TRUE(found.orbits.empty());
   EXPECT_NE(found.tried.find("random starts on 1 sequence of stops"), std::string::npos)
       << found.tried;
