@@ -202,11 +202,9 @@ class Finder {
     const PhaseJudge judge(system_, response, scale_, options_.keep_virtual);
     const PairSolutions solved =
         solve_pairs(*answer.form, response, judge, pairs, scale_, options_.threads, options_.stop);
-    found_.closed_form.tried += solved.tried;
-    found_.closed_form.converged += solved.converged;
-    found_.inadmissible += solved.refused;
     found_.pairs = static_cast<int>(pairs.size());
-    found_.patterns += found_.pairs;
+    found_.two_impacts = {solved.tried, solved.converged};
+    found_.inadmissible += solved.refused;
     keep(judge, solved.solutions);
   }
 
@@ -352,16 +350,16 @@ class Finder {
                          found_.closed_form.tried, found_.simulated ? "the" : "no",
                          found_.random.tried);
     std::vector<std::string> parts;
-    if (found_.pairs > 0)
-      parts.push_back(
-          fmt::format("{} solutions of the closed form (two impacts on {} sequence{} of stops)",
-                      found_.closed_form.tried, found_.pairs, found_.pairs == 1 ? "" : "s"));
-    else if (found_.closed_form.tried > 0)
+    if (found_.closed_form.tried > 0)
       parts.push_back(fmt::format("{} solutions of the closed form", found_.closed_form.tried));
     if (found_.simulated) parts.push_back("the simulation");
-    if (const int searched = found_.patterns - found_.pairs; searched > 0)
+    if (found_.pairs > 0)
+      parts.push_back(
+          fmt::format("{} starts from the closed form of two impacts on {} pair{} of stops",
+                      found_.two_impacts.tried, found_.pairs, found_.pairs == 1 ? "" : "s"));
+    if (found_.patterns > 0)
       parts.push_back(fmt::format("{} random starts on {} sequence{} of stops", found_.random.tried,
-                                  searched, searched == 1 ? "" : "s"));
+                                  found_.patterns, found_.patterns == 1 ? "" : "s"));
     if (found_.global.tried > 0)
       parts.push_back(fmt::format("{} global minimisations", found_.global.tried));
     return fmt::format("{}", fmt::join(parts, ", "));

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "graze/continuation/branch/detail/known_branch.hpp"
-#include "graze/continuation/locus/locus.hpp"
+#include "graze/continuation/branch/zero_problem.hpp"
+#include "graze/continuation/locus/locus_values.hpp"
 
 namespace graze {
 
