@@ -103,7 +103,7 @@ void add_orbit_search(CLI::App* app, OrbitSearchOptions& command) {
                 "Keep solutions that are no orbits too: penetrating a stop, or impact speed < 0");
   app->add_option(
          "--start", command.starts,
-         "Where the search starts, several with commas: closed-form (k = 1), simulation, random "
+         "Where the search starts, several with commas: closed-form (k = 1, 2), simulation, random "
          "(quasi-random phases, deflation, then global minimisation) (default: all)")
       ->check(CLI::IsMember({"closed-form", "simulation", "random"}))
       ->delimiter(',')

@@ -266,7 +266,7 @@ TEST(Program, ThreadsDoNotChangeTheBytesOfASearch) {
 
 // Exit code 3, and the sentence says what was tried.
 TEST(Program, ASearchInVainSaysWhatItTried) {
-  const Finished run = run_graze("orbit --json --impacts 2 --set stop.gap=1.0 " + kOneMode);
+  const Finished run = run_graze("orbit --json --impacts 3 --set stop.gap=1.0 " + kOneMode);
   EXPECT_EQ(run.code, 3);
   const json document = json::parse(run.out);
   EXPECT_EQ(document["outcome"], "none");

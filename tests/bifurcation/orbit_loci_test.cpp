@@ -289,6 +289,39 @@ TEST(OrbitLoci, LeadToOneAnother) {
       }
 }
 
+// Loci are traced several at once, and are those of one after the other to the last bit.
+TEST(OrbitLoci, DoNotDependOnTheNumberOfThreads) {
+  const Scene scene = support::shipped_scene("05_wagg_one_mode", {"beam.modes=2", "stop.gap=2e-3"});
+  LociOptions options;
+  options.branches.from = 40.0;
+  options.branches.to = 60.0;
+  options.second_from = 5e-4;
+  options.second_to = 5e-3;
+  options.slices = 1;
+  using Kind = OrbitLocusKind;
+  options.kinds = {Kind::kFold, Kind::kPeriodDoubling, Kind::kTorus, Kind::kGrazing};
+  options.branches.finder.threads = 1;
+  const OrbitLoci alone = trace_loci(scene, "forcing.frequency", "stop.gap", options);
+  ASSERT_GT(alone.loci.size(), 5u);
+  options.branches.finder.threads = 0;
+  const OrbitLoci at_once = trace_loci(scene, "forcing.frequency", "stop.gap", options);
+  EXPECT_EQ(at_once.starts, alone.starts);
+  EXPECT_EQ(at_once.lost_starts, alone.lost_starts);
+  EXPECT_EQ(at_once.shooting_evaluations, alone.shooting_evaluations);
+  ASSERT_EQ(at_once.loci.size(), alone.loci.size());
+  for (std::size_t i = 0; i < alone.loci.size(); ++i) {
+    const OrbitLocus &a = alone.loci[i], &b = at_once.loci[i];
+    EXPECT_EQ(a.kind, b.kind);
+    EXPECT_EQ(a.special.size(), b.special.size());
+    ASSERT_EQ(a.points.size(), b.points.size());
+    for (std::size_t k = 0; k < a.points.size(); ++k) {
+      EXPECT_EQ(a.points[k].value, b.points[k].value);
+      EXPECT_EQ(a.points[k].second, b.points[k].second);
+      EXPECT_EQ(a.points[k].impacts.front().speed, b.points[k].impacts.front().speed);
+    }
+  }
+}
+
 // An end called grazing is among the special points, no special point is named twice on a locus,
 // and no locus is a point.
 TEST(OrbitLoci, EndOnGrazingsOnce) {

@@ -264,6 +264,11 @@ TEST(Patterns, RoughGuessesWhereAModeRepeatsByItself) {
 
 TEST(Patterns, ASearchInVainSaysWhatWasTried) {
   const System system = support::forced_oscillator(1.0, 0.05, 50.0, 0.8, 2.0, 1.0);
+  FinderOptions exactly = searching(1, 2);
+  exactly.from_closed_form = true;
+  const FoundOrbits two = find_orbits(system, {}, exactly);
+  EXPECT_TRUE(two.orbits.empty());
+  EXPECT_EQ(two.tried, "0 starts from the closed form of two impacts on 1 pair of stops");
   const FoundOrbits found = find_orbits(system, {}, searching(1, 2));
   EXPECT_TRUE(found.orbits.empty());
   EXPECT_NE(found.tried.find("random starts on 1 sequence of stops"), std::string::npos)

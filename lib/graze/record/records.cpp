@@ -151,7 +151,8 @@ Outcome orbit_outcome(const FoundOrbits& found, const FinderOptions& options, St
   if (!found.orbits.empty()) return {"found", ""};
   if (found.tried.empty())
     return {"none",
-            "none of the chosen starts applies: the closed form is for one impact, the simulation "
+            "none of the chosen starts applies: the closed form is for one or two impacts, the "
+            "simulation "
             "needs a start clear of the stop" +
                 (found.notes.empty() ? "" : " (" + found.notes.front() + ")")};
   std::string message = fmt::format(

@@ -8,6 +8,7 @@
 
 #include "graze/bifurcation/loci/detail/completion_curve.hpp"
 #include "graze/bifurcation/loci/detail/flight_grazing.hpp"
+#include "graze/bifurcation/loci/detail/grazing_places.hpp"
 #include "graze/bifurcation/loci/detail/segment_grazing.hpp"
 #include "graze/bifurcation/trace/detail/orbit_kinds.hpp"
 #include "graze/continuation/branch.hpp"
@@ -16,33 +17,6 @@
 
 namespace graze {
 namespace {
-
-// Where an impact speed vanishes as the flow over a period has a singular block, multipliers of
-// every size meet: LP, PD and NS loci end on the grazing there, their equations singular, and creep
-// up to it. Speeds below this part of the forced motion's are on it; nothing is said there of
-// multipliers.
-constexpr double kOnGrazing = 1e-9;
-
-void end_on_grazing(std::vector<LocusPlace>& places, std::array<OrbitLocusEnd, 2> ends,
-                    double unit) {
-  const auto is_on_it = [&](const LocusPlace& place) {
-    return place.margins.size() > 0 &&
-           std::any_of(place.at.impacts.begin(), place.at.impacts.end(),
-                       [&](const OrbitImpact& impact) {
-                         return std::abs(impact.speed) <= kOnGrazing * unit;
-                       });
-  };
-  std::erase_if(places,
-                [&](const LocusPlace& place) { return !place.label.empty() && is_on_it(place); });
-  for (const std::size_t end : {0u, 1u}) {
-    LocusPlace& last = end == 0 ? places.front() : places.back();
-    if (ends[end] == OrbitLocusEnd::kNotConverged && is_on_it(last))
-      last.boundary = LocusMargin::kSpeed;
-  }
-}
-
-// Grazings nearer than this, in ranges of the parameters, are one.
-constexpr double kOneGrazing = 1e-9;
 
 // Of the pair nearest to the unit circle but for the critical one; nothing where there is no pair.
 std::optional<double> other_angle(const std::vector<Eigenvalue>& multipliers, double critical) {
@@ -58,38 +32,8 @@ std::optional<double> other_angle(const std::vector<Eigenvalue>& multipliers, do
   return angle;
 }
 
-// An approach beside the impact that vanishes touches to v^2/2a, which is zero within what gaps are
-// known to (still_gap, 1e-12 of the motion's length) up to this part of its speed.
-constexpr double kTouching = 1.5e-6;
-
-// Whether an approach touches because an impact beside it has all but vanished: then where its gap
-// passes zero is rounding.
-bool is_one_grazing(const LocusPlace& a, const LocusPlace& b, double unit) {
-  const auto has = [](const LocusPlace& place, LocusMargin margin) {
-    return place.boundary == margin;
-  };
-  const auto slow = [unit](const LocusPlace& place) {
-    return place.margins[static_cast<Eigen::Index>(LocusMargin::kSpeed)] <= kTouching * unit;
-  };
-  return (has(a, LocusMargin::kSpeed) && has(b, LocusMargin::kClearance) && slow(b)) ||
-         (has(b, LocusMargin::kSpeed) && has(a, LocusMargin::kClearance) && slow(a));
-}
-
-// As an impact speed vanishes an approach touches too: one grazing, not two. A locus that was
-// started there has it among its points as well, on whatever side the last bit puts it. `unit`: of
-// speeds, m/s.
-void merge_boundaries(std::vector<LocusPlace>& places, const LocusOptions& options, double unit) {
-  std::vector<LocusPlace> merged;
-  for (LocusPlace& place : places) {
-    const bool same = !merged.empty() && (merged.back().boundary || place.boundary) &&
-                      (distance(merged.back().at, place.at, options) <= kOneGrazing ||
-                       is_one_grazing(merged.back(), place, unit));
-    if (!same)
-      merged.push_back(std::move(place));
-    else if (!merged.back().boundary || place.boundary == LocusMargin::kSpeed)
-      merged.back() = std::move(place);
-  }
-  places = std::move(merged);
+LocusStart as_start(const OrbitLocusStart& start, const OrbitProblems::Written& one) {
+  return {as_locus_kind(start.kind), one.u, start.first, start.second, start.multiplier};
 }
 
 LocusSite site_of(const LocusPoint& at) { return {at.u, at.first, at.second, at.angle}; }
@@ -100,11 +44,6 @@ MotionScale own_scale(const Scene& scene, const std::string& parameter) {
 }
 
 }  // namespace
-
-double distance(const OrbitLocusPoint& a, const OrbitLocusPoint& b, const LocusOptions& options) {
-  return std::hypot((a.value - b.value) / first_range(options),
-                    (a.second - b.second) / second_range(options));
-}
 
 // A place within the step after a point.
 struct LocusTracer::Within {
@@ -119,10 +58,32 @@ LocusTracer::LocusTracer(const Scene& scene, const std::string& first, const std
       problems_(scene, {first, second}, {first_range(options), second_range(options)}, scale_,
                 segment) {}
 
+bool LocusTracer::is_along(OrbitLocusKind kind) {
+  return kind == OrbitLocusKind::kGrazing || kind == OrbitLocusKind::kChatterCompletes;
+}
+
+bool LocusTracer::knows(const OrbitLocusStart& start) {
+  return is_along(start.kind) ? knows_along(start) : knows_critical(start);
+}
+
 LocusAnswer LocusTracer::trace(const OrbitLocusStart& start) {
-  const bool along =
-      start.kind == OrbitLocusKind::kGrazing || start.kind == OrbitLocusKind::kChatterCompletes;
-  return along ? trace_along(start) : trace_critical(start);
+  return is_along(start.kind) ? trace_along(start) : trace_critical(start);
+}
+
+void LocusTracer::know(const OrbitLocusStart& start, LocusAnswer answer) {
+  if (answer.critical) {
+    const std::vector<Written> list = written(start);
+    Critical& critical = critical_of(*list.front().orbits);
+    critical.traced[start.kind].add((*list.front().orbits)->problem(),
+                                    options_for(*critical.orbits), *answer.critical);
+  } else if (!answer.curve.empty()) {
+    const CurveStart at = curve_at(start);
+    const LocusOptions options = options_along(*at.curves->curve);
+    const PlaneCurveProblem& problem = at.curves->curve->problem();
+    const ContinuationOptions along = branch_options(problem, options);
+    at.curves->traced.emplace_back(Corrector(problem.problem, along), std::move(answer.curve),
+                                   problem.problem.wrap, along.max_turn);
+  }
 }
 
 std::vector<OrbitProblems::Written> LocusTracer::written(const OrbitLocusStart& start) {
@@ -142,42 +103,41 @@ LocusTracer::Critical& LocusTracer::critical_of(const LaidOrbits& orbits) {
   return critical;
 }
 
+LocusOptions LocusTracer::options_for(const LocusOrbits& orbits) const {
+  LocusOptions options = options_;
+  orbits.limit(options);
+  options.tests = [&orbits](const LocusPoint& at) { return orbits.margins(site_of(at)); };
+  options.resolves = [&orbits](const LocusPoint& from, const LocusPoint& to) {
+    return orbits.resolves(site_of(from), site_of(to));
+  };
+  options.proceed = [&orbits](const LocusPoint& previous, const LocusPoint& here) {
+    return orbits.goes_on(site_of(previous), site_of(here));
+  };
+  return options;
+}
+
+bool LocusTracer::knows_critical(const OrbitLocusStart& start) {
+  for (const Written& one : written(start)) {
+    Critical& critical = critical_of(*one.orbits);
+    const KnownLoci& traced = critical.traced[start.kind];
+    if (!traced.empty() &&
+        traced.find((*one.orbits)->problem(), options_for(*critical.orbits), as_start(start, one)))
+      return true;
+  }
+  return false;
+}
+
 LocusAnswer LocusTracer::trace_critical(const OrbitLocusStart& start) {
   LocusAnswer answer;
   const std::vector<Written> list = written(start);
-  const auto options_for = [&](const LocusOrbits& orbits) {
-    LocusOptions options = options_;
-    orbits.limit(options);
-    options.tests = [&orbits](const LocusPoint& at) { return orbits.margins(site_of(at)); };
-    options.resolves = [&orbits](const LocusPoint& from, const LocusPoint& to) {
-      return orbits.resolves(site_of(from), site_of(to));
-    };
-    options.proceed = [&orbits](const LocusPoint& previous, const LocusPoint& here) {
-      return orbits.goes_on(site_of(previous), site_of(here));
-    };
-    return options;
-  };
-  const auto start_at = [&](const Written& one) {
-    return LocusStart{as_locus_kind(start.kind), one.u, start.first, start.second,
-                      start.multiplier};
-  };
-  for (const Written& one : list) {
-    Critical& critical = critical_of(*one.orbits);
-    if (critical.traced[start.kind].empty()) continue;
-    answer.known =
-        answer.known || find_locus((*one.orbits)->problem(), options_for(*critical.orbits),
-                                   critical.traced[start.kind], start_at(one))
-                            .has_value();
-  }
   // While as many stops are closed as there are modes all multipliers are zero.
-  if (answer.known || list.empty() || !(*list.front().orbits)->has_multipliers()) return answer;
-  Critical& critical = critical_of(*list.front().orbits);
-  std::optional<Locus> locus = trace_locus((*list.front().orbits)->problem(),
-                                           options_for(*critical.orbits), start_at(list.front()));
-  if (!locus) return answer;
-  answer.evaluations = locus->evaluations;
-  answer.trace = as_trace(start.kind, *critical.orbits, *locus);
-  critical.traced[start.kind].push_back(std::move(*locus));
+  if (list.empty() || !(*list.front().orbits)->has_multipliers()) return answer;
+  const Critical& critical = critical_of(*list.front().orbits);
+  answer.critical = trace_locus((*list.front().orbits)->problem(), options_for(*critical.orbits),
+                                as_start(start, list.front()));
+  if (!answer.critical) return answer;
+  answer.evaluations = answer.critical->evaluations;
+  answer.trace = as_trace(start.kind, *critical.orbits, *answer.critical);
   return answer;
 }
 
@@ -304,6 +264,29 @@ LocusTracer::CurveStart LocusTracer::completion(const OrbitLocusStart& start) {
   return {&curves, y};
 }
 
+LocusOptions LocusTracer::options_along(const OrbitCurve& curve) const {
+  LocusOptions options = options_;
+  curve.orbits().limit(options);
+  return options;
+}
+
+bool LocusTracer::knows_along(const OrbitLocusStart& start) {
+  const CurveStart at = curve_at(start);
+  if (!at.curves || at.curves->traced.empty()) return false;
+  const OrbitCurve& curve = *at.curves->curve;
+  const PlaneCurveProblem& problem = curve.problem();
+  const LocusOptions options = options_along(curve);
+  const std::optional<SolutionPoint> point =
+      point_on_curve(problem, options, at.unknown, start.second);
+  if (!point) return false;
+  const ContinuationOptions along = branch_options(problem, options);
+  Corrector corrector(problem.problem, along);
+  for (const SolutionPoint& same : curve.rewritings(*point))
+    for (const KnownBranch& branch : at.curves->traced)
+      if (branch.has(corrector, same)) return true;
+  return false;
+}
+
 LocusAnswer LocusTracer::trace_along(const OrbitLocusStart& start) {
   LocusAnswer answer;
   const CurveStart at = curve_at(start);
@@ -322,20 +305,14 @@ LocusAnswer LocusTracer::trace_along(const OrbitLocusStart& start) {
     (*tests)[tests->size() - 1] = crossing_tests(list)[kFoldTest].value();
     return tests;
   };
-  LocusOptions options = options_;
-  curve.orbits().limit(options);
+  const LocusOptions options = options_along(curve);
   const std::optional<SolutionPoint> point =
       point_on_curve(problem, options, at.unknown, start.second);
   if (!point) return answer;
-  const ContinuationOptions along = branch_options(problem, options);
-  for (const SolutionPoint& same : curve.rewritings(*point))
-    for (const Branch& branch : at.curves->traced)
-      answer.known = answer.known || lies_on(problem.problem, along, branch, same);
-  if (answer.known) return answer;
   PlaneCurve traced = trace_curve(problem, options, *point);
   answer.evaluations = traced.branch.evaluations;
   answer.trace = as_trace(start.kind, curve, traced);
-  at.curves->traced.push_back(std::move(traced.branch));
+  answer.curve = std::move(traced.branch.points);
   return answer;
 }
 

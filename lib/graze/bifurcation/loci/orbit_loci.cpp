@@ -7,6 +7,8 @@
 #include <memory>
 #include <utility>
 
+#include "graze/base/parallel.hpp"
+#include "graze/bifurcation/loci/detail/grazing_places.hpp"
 #include "graze/bifurcation/loci/detail/locus_tracer.hpp"
 #include "graze/scene/parameter.hpp"
 
@@ -58,8 +60,8 @@ class LociTracer {
         other_(scene, second),
         systems_(scene, {first, second}),
         range_(options_of(options)),
-        tracer_(scene, first, second, range_,
-                {0.0, options.branches.finder.max_impacts, options.branches.stop}) {
+        segment_{0.0, options.branches.finder.max_impacts, options.branches.stop},
+        tracer_(scene, first, second, range_, segment_) {
     if (are_same_parameter(first, second))
       throw InputError(first + ": a locus takes two parameters that differ from one another");
     result_.first = first;
@@ -163,17 +165,46 @@ class LociTracer {
     return std::find(options_.kinds.begin(), options_.kinds.end(), kind) != options_.kinds.end();
   }
 
-  // Its locus, and those that meet it.
+  // Its locus, and those that meet it. Loci of several starts in a row are traced at once; what one
+  // that came before has traced meanwhile is given up, so that their number changes nothing.
   void begin(const OrbitLocusStart& start) {
     std::deque<OrbitLocusStart> starts{start};
     while (!starts.empty() && !options_.branches.stop.requested()) {
-      const std::size_t known = result_.loci.size();
-      begin_one(starts.front());
-      starts.pop_front();
-      for (std::size_t i = known; i < result_.loci.size(); ++i)
-        for (const OrbitLocusSpecial& special : result_.loci[i].special)
-          add_continuations(result_.loci[i], special, starts);
+      const std::vector<OrbitLocusStart> some = next_unknown(starts);
+      std::vector<LocusAnswer> answers = trace_at_once(some);
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        if (i > 0 && tracer_.knows(some[i])) continue;
+        const std::size_t known = result_.loci.size();
+        add(some[i], std::move(answers[i]));
+        for (std::size_t k = known; k < result_.loci.size(); ++k)
+          for (const OrbitLocusSpecial& special : result_.loci[k].special)
+            add_continuations(result_.loci[k], special, starts);
+      }
     }
+  }
+
+  // Takes starts from the front until as many of them as there are threads lead to no known locus.
+  std::vector<OrbitLocusStart> next_unknown(std::deque<OrbitLocusStart>& starts) {
+    std::vector<OrbitLocusStart> some;
+    const auto most = static_cast<std::size_t>(thread_count(options_.branches.finder.threads));
+    while (!starts.empty() && some.size() < most && !options_.branches.stop.requested()) {
+      ++result_.starts;
+      if (!tracer_.knows(starts.front())) some.push_back(std::move(starts.front()));
+      starts.pop_front();
+    }
+    return some;
+  }
+
+  std::vector<LocusAnswer> trace_at_once(const std::vector<OrbitLocusStart>& starts) {
+    std::vector<LocusAnswer> answers(starts.size());
+    while (beside_.size() + 1 < starts.size())
+      beside_.emplace_back(scene_, result_.first, result_.second, range_, segment_);
+    for_each_index(starts.size(), options_.branches.finder.threads, [&](std::size_t i) {
+      LocusTracer& tracer = i == 0 ? tracer_ : beside_[i - 1];
+      if (i > 0) tracer.set_closure_speed(tracer_.closure_speed());
+      answers[i] = tracer.trace(starts[i]);
+    });
+    return answers;
   }
 
   void add_continuations(const OrbitLocus& locus, const OrbitLocusSpecial& special,
@@ -186,20 +217,18 @@ class LociTracer {
       if (wants(start.kind)) starts.push_back(std::move(start));
   }
 
-  void begin_one(const OrbitLocusStart& start) {
-    ++result_.starts;
-    const LocusAnswer answer = tracer_.trace(start);
+  void add(const OrbitLocusStart& start, LocusAnswer answer) {
     result_.shooting_evaluations += answer.evaluations;
-    if (answer.known) return;
     if (!answer.trace || answer.trace->places.empty()) {
       ++result_.lost_starts;
-      return;
+      return tracer_.know(start, std::move(answer));
     }
     for (OrbitLocus& part : locus_parts(*answer.trace, options_.branches.keep_virtual)) {
       if (is_a_point(part)) continue;
       if (is_cut_short(part)) ++result_.cut_short;
       result_.loci.push_back(std::move(part));
     }
+    tracer_.know(start, std::move(answer));
   }
 
   // What was started where several loci meet may creep about there.
@@ -215,7 +244,9 @@ class LociTracer {
   SystemFamily own_, other_;
   SystemCursor systems_;
   LocusOptions range_;
-  LocusTracer tracer_;
+  SegmentOptions segment_;
+  LocusTracer tracer_;              // knows what has been traced
+  std::deque<LocusTracer> beside_;  // trace beside it, each on a thread of its own
   OrbitLoci result_;
 };
 

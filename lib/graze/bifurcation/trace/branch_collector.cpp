@@ -187,8 +187,9 @@ void BranchCollector::trace_restarted(LaidOrbits& orbits, const SolutionPoint& p
 bool BranchCollector::knows(const LaidOrbits& orbits, const SolutionPoint& solution) const {
   return std::any_of(traced_.begin(), traced_.end(), [&](const Traced& traced) {
     const OrbitProblem& problem = *traced.orbits->problem;
+    Corrector corrector(problem.problem(), continuation_);
     for (const SolutionPoint& same : problem.rewritings(*orbits.problem, continuation_, solution))
-      if (lies_on(problem.problem(), continuation_, traced.branch, same)) return true;
+      if (traced.branch.has(corrector, same)) return true;
     return false;
   });
 }
@@ -226,7 +227,10 @@ void BranchCollector::add(std::vector<BranchPiece> pieces, Origin origin) {
   for (BranchPiece& piece : pieces) {
     result_.shooting_evaluations += piece.branch.evaluations;
     result_.rejected_steps += piece.branch.rejected;
-    traced_.push_back({piece.orbits, std::move(piece.branch)});
+    const ZeroProblem& problem = (*piece.orbits)->problem();
+    traced_.push_back({piece.orbits, KnownBranch(Corrector(problem, continuation_),
+                                                 std::move(piece.branch.points), problem.wrap,
+                                                 continuation_.max_turn)});
   }
   ++result_.traced;
   if (cut) ++result_.cut_short;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "graze/assembly/initial_state.hpp"
+#include "graze/base/parallel.hpp"
 #include "graze/bifurcation/bounds/detail/admissible_runs.hpp"
 #include "graze/bifurcation/bounds/detail/closed_form_survey.hpp"
 #include "graze/bifurcation/bounds/detail/speed_survey.hpp"
@@ -21,6 +22,9 @@ namespace {
 // Forcing periods within which a motion has to repeat to count as one that sticks: each time it
 // comes to rest it forgets what came before.
 constexpr long long kPeriodsToStick = 300;
+
+// Values that are searched for orbits at once.
+constexpr std::size_t kValuesAtOnce = 8;
 
 class OrbitTracer {
  public:
@@ -103,11 +107,22 @@ class OrbitTracer {
     if (options_.start_values > 1)
       result_.sought.start_spacing = (highest_ - lowest_) / (options_.start_values - 1);
     if (finder.from_random) result_.sought.random_starts = kStartsOfOneImpact;
+    std::vector<std::optional<FoundOrbits>> found(values.size());
     for (std::size_t i = 0; i < values.size() && !options_.stop.requested(); ++i) {
       if (options_.progress)
         options_.progress(
             (round + static_cast<double>(i) / static_cast<double>(values.size() + 1)) / rounds);
-      for (const Orbit& orbit : orbits_at(values[i], finder, i == 0))
+      // Some values are searched side by side; what is found does not depend on how many.
+      if (i % kValuesAtOnce == 0) {
+        const std::size_t some = std::min(kValuesAtOnce, values.size() - i);
+        for_each_index(some, finder.threads, [&](std::size_t k) {
+          FinderOptions one = finder;
+          if (some > 1) one.threads = 1;
+          if (!options_.stop.requested())
+            found[i + k] = orbits_at(values[i + k], std::move(one), i + k == 0);
+        });
+      }
+      for (const Orbit& orbit : taken(std::move(found[i])))
         if (!options_.stop.requested()) branches_.trace_from(orbit, values[i]);
       if (options_.sticking && finder.from_simulation && !compliant_) trace_sticking(values[i]);
     }
@@ -171,12 +186,14 @@ class OrbitTracer {
 
   // Orbits at one value; the random guesses, and on rigid stops the simulation for orbits of one
   // impact, join in at the first one only.
-  std::vector<Orbit> orbits_at(double value, FinderOptions finder, bool first) {
+  std::optional<FoundOrbits> orbits_at(double value, FinderOptions finder, bool first) const {
     const std::optional<System> system = family_.at(value);
     if (!system) return {};
     finder.period = options_.period;
     finder.impacts = options_.impacts;
-    finder.keep_virtual = !compliant_;
+    // Of one impact, and of more than two, solutions are counted where they lie; of two all that
+    // are orbits are found whatever else is kept.
+    finder.keep_virtual = !compliant_ && (options_.keep_virtual || options_.impacts != 2);
     finder.sticking = options_.sticking;
     finder.stop = options_.stop;
     // Random guesses cost more than all else; elsewhere they stand in where the closed form cannot.
@@ -186,14 +203,24 @@ class OrbitTracer {
     std::optional<State> start;
     if (first || options_.impacts > 1 || compliant_) start = clear_start(family_.scene(), *system);
     finder.closure_speed = closure_speed_;
-    FoundOrbits found = find_orbits(*system, start, finder);
+    return find_orbits(*system, start, finder);
+  }
+
+  // The orbits to start from; what else was found is told.
+  std::vector<Orbit> taken(std::optional<FoundOrbits> found) {
+    if (!found) return {};
     // On rigid stops alone those have a search of their own.
-    if (!compliant_) std::erase_if(found.orbits, [](const Orbit& orbit) { return orbit.sticks(); });
+    if (!compliant_)
+      std::erase_if(found->orbits, [](const Orbit& orbit) { return orbit.sticks(); });
     if (result_.notes.empty()) {
-      result_.notes = found.notes;
-      result_.details = found.details;
+      result_.notes = std::move(found->notes);
+      result_.details = std::move(found->details);
     }
-    return std::move(found.orbits);
+    if (!compliant_) {
+      result_.starts += found->inadmissible;
+      result_.virtual_starts += found->inadmissible;
+    }
+    return std::move(found->orbits);
   }
 
   // Whether the closed form holds at every stop.

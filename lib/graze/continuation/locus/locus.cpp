@@ -8,7 +8,9 @@
 
 #include "graze/continuation/branch.hpp"
 #include "graze/continuation/branch/detail/corrector.hpp"
+#include "graze/continuation/branch/detail/known_branch.hpp"
 #include "graze/continuation/branch/detail/locate.hpp"
+#include "graze/continuation/locus/detail/known_loci.hpp"
 #include "graze/continuation/locus/detail/locus_equations.hpp"
 #include "graze/continuation/locus/detail/plane_curve.hpp"
 #include "graze/continuation/special/detail/crossing_tests.hpp"
@@ -88,10 +90,21 @@ class LocusTracer {
             {}};
   }
 
-  bool lies_on(const Locus& locus, const SolutionPoint& point) const {
-    Branch branch;
-    for (const LocusPoint& known : locus.points) branch.points.push_back(pack(known));
-    return graze::lies_on(curve_.problem, branch_options(curve_, options_), branch, point);
+  // The locus as a branch of the equations that a start of so many unknowns makes.
+  KnownBranch as_known(const Locus& locus) {
+    n_ = locus.points.empty() ? 0 : locus.points.front().u.size();
+    make_curve();
+    std::vector<SolutionPoint> points;
+    for (const LocusPoint& point : locus.points) points.push_back(pack(point));
+    const ContinuationOptions options = branch_options(curve_, options_);
+    return KnownBranch(Corrector(curve_.problem, options), std::move(points), curve_.problem.wrap,
+                       options.max_turn);
+  }
+
+  bool lies_on(const KnownBranch& known, const SolutionPoint& point) const {
+    const ContinuationOptions options = branch_options(curve_, options_);
+    Corrector corrector(curve_.problem, options);
+    return known.has(corrector, point);
   }
 
  private:
@@ -274,11 +287,22 @@ std::optional<Locus> trace_locus(const ZeroProblem& problem, const LocusOptions&
 
 std::optional<std::size_t> find_locus(const ZeroProblem& problem, const LocusOptions& options,
                                       const std::vector<Locus>& loci, const LocusStart& start) {
+  KnownLoci known;
+  for (const Locus& locus : loci) known.add(problem, options, locus);
+  return known.find(problem, options, start);
+}
+
+void KnownLoci::add(const ZeroProblem& problem, const LocusOptions& options, const Locus& locus) {
+  known_.push_back({locus.kind, LocusTracer(problem, options, locus.kind).as_known(locus)});
+}
+
+std::optional<std::size_t> KnownLoci::find(const ZeroProblem& problem, const LocusOptions& options,
+                                           const LocusStart& start) const {
   LocusTracer tracer(problem, options, start.kind);
   const std::optional<SolutionPoint> point = tracer.solve(start);
   if (!point) return {};
-  for (std::size_t i = 0; i < loci.size(); ++i)
-    if (loci[i].kind == start.kind && tracer.lies_on(loci[i], *point)) return i;
+  for (std::size_t i = 0; i < known_.size(); ++i)
+    if (known_[i].kind == start.kind && tracer.lies_on(known_[i].branch, *point)) return i;
   return {};
 }
 

@@ -26,14 +26,6 @@
 
 namespace graze {
 
-// An orbit near a locus.
-struct LocusStart {
-  LocusKind kind = LocusKind::kFold;
-  Vector u;  // n
-  double first = 0.0, second = 0.0;
-  Complex multiplier = 1.0;  // of NS: one of the pair; of LP and PD not looked at
-};
-
 // The point of the locus near a start: at its second parameter, where the locus stands upright at
 // its first. Nothing when Newton's method reaches none in the ranges of the options and within a
 // fifth of them.

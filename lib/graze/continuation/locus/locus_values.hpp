@@ -52,6 +52,14 @@ struct LocusPoint {
   std::vector<Eigenvalue> multipliers;
 };
 
+// An orbit near a locus.
+struct LocusStart {
+  LocusKind kind = LocusKind::kFold;
+  Vector u;  // n
+  double first = 0.0, second = 0.0;
+  Complex multiplier = 1.0;  // of NS: one of the pair; of LP and PD not looked at
+};
+
 struct LocusSpecialPoint {
   LocusPointKind kind = LocusPointKind::kCusp;
   LocusPoint point;

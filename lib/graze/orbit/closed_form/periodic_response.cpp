@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 #include "graze/flow/exact/detail/exact_flow.hpp"
 #include "graze/flow/variation/detail/transition.hpp"
@@ -126,6 +127,24 @@ ImpulseMotions PeriodicResponse::impulses(const std::vector<int>& stops,
     }
   }
   return motions;
+}
+
+double PeriodicResponse::quickest() const {
+  double quickest = frequency_;
+  for (const Mode& mode : modes_)
+    quickest = std::max(quickest, mode.discriminant < 0.0 ? 2.0 * mode.delta : mode.omega);
+  return quickest;
+}
+
+void PeriodicResponse::modal_impulses(const Vector& instants, Matrix& displacements,
+                                      Matrix& velocities) const {
+  const auto n = static_cast<Eigen::Index>(modes_.size());
+  displacements.resize(instants.size(), n);
+  velocities.resize(instants.size(), n);
+  for (Eigen::Index j = 0; j < n; ++j)
+    for (Eigen::Index i = 0; i < instants.size(); ++i)
+      std::tie(displacements(i, j), velocities(i, j)) =
+          after(modes_[static_cast<std::size_t>(j)], instants[i]);
 }
 
 State PeriodicResponse::forced_state(double theta) const {

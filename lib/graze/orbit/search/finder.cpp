@@ -15,6 +15,7 @@
 #include "graze/orbit/search/detail/contact_starts.hpp"
 #include "graze/orbit/search/detail/impact_sequences.hpp"
 #include "graze/orbit/search/detail/mirror.hpp"
+#include "graze/orbit/search/detail/pair_search.hpp"
 #include "graze/orbit/search/detail/phase_search.hpp"
 #include "graze/orbit/search/detail/rough_guess.hpp"
 #include "graze/orbit/search/detail/solved_orbit.hpp"
@@ -36,10 +37,6 @@ constexpr int kMostImpacts = 1024;
 
 // Minimisations of a pattern that the local solves leave without an orbit.
 constexpr int kGlobalRuns = 4;
-
-// A solution that penetrates by more than this part of a length is no orbit, however little the
-// phases are known: a thousand times what they are known to.
-constexpr double kSurely = 1e3 * kSameOrbit;
 
 // Budgets of the local solves by the number of impacts: see
 // docs/decisions/0009.
@@ -71,7 +68,10 @@ class Finder {
     if (options_.from_closed_form && one_impact)
       compliant_ ? from_closed_form_contacts() : from_closed_form();
     if (options_.from_simulation && start_) from_simulation();
-    if (options_.from_random) compliant_ ? from_rough_contacts() : from_random();
+    if (!compliant_)
+      from_phases();
+    else if (options_.from_random)
+      from_rough_contacts();
     add_mirror_images();
     return conclude();
   }
@@ -158,24 +158,54 @@ class Finder {
     }
   }
 
-  void from_random() {
-    if (options_.impacts && *options_.impacts > kMostImpacts) {
+  // Impacts by their phases: two in closed form, more and what has none by a search.
+  void from_phases() {
+    const bool two = options_.from_closed_form && options_.impacts.value_or(2) == 2;
+    if (!two && !options_.from_random) return;
+    const bool too_many = options_.impacts && *options_.impacts > kMostImpacts;
+    if (too_many)
       found_.notes.push_back(fmt::format(
           "no random starts: quasi-random phases are for up to {} impacts", kMostImpacts));
-      return;
-    }
+    if (too_many) return;
     const PeriodicResponseAnswer answer = periodic_response(system_, options_.period);
-    if (!answer.response)
+    if (!answer.response && options_.from_random)
       found_.notes.push_back("impacts are not sought by their phases alone: " + answer.why_not);
-    for (const std::vector<int>& stops : sequences()) {
+    std::vector<std::vector<int>> rest = sequences();
+    if (answer.response && two) from_two_impacts(*answer.response, rest);
+    if (!options_.from_random) return;
+    for (const std::vector<int>& stops : rest) {
       if (options_.stop.requested()) return;
       ++found_.patterns;
       const ImpactPattern pattern{options_.period, stops};
       if (answer.response)
-        from_phases(*answer.response, pattern);
+        search_phases(*answer.response, pattern);
       else
         from_rough_guesses(pattern);
     }
+  }
+
+  // Takes those sequences of two impacts out of the list that the closed form is for.
+  void from_two_impacts(const PeriodicResponse& response, std::vector<std::vector<int>>& list) {
+    const auto first =
+        std::find_if(list.begin(), list.end(), [](const auto& stops) { return stops.size() == 2; });
+    if (first == list.end()) return;
+    const TwoImpactsAnswer answer = two_impacts(response);
+    if (!answer.form) {
+      found_.details.push_back("two impacts are not sought in closed form: " + answer.why_not);
+      return;
+    }
+    const auto last = std::stable_partition(first, list.end(), [&](const auto& stops) {
+      return stops.size() == 2 && answer.form->holds(stops[0], stops[1]);
+    });
+    const std::vector<std::vector<int>> pairs(first, last);
+    list.erase(first, last);
+    const PhaseJudge judge(system_, response, scale_, options_.keep_virtual);
+    const PairSolutions solved =
+        solve_pairs(*answer.form, response, judge, pairs, scale_, options_.threads, options_.stop);
+    found_.pairs = static_cast<int>(pairs.size());
+    found_.two_impacts = {solved.tried, solved.converged};
+    found_.inadmissible += solved.refused;
+    keep(judge, solved.solutions);
   }
 
   // The sequences of stops to search.
@@ -197,7 +227,7 @@ class Finder {
     return all;
   }
 
-  void from_phases(const PeriodicResponse& response, const ImpactPattern& pattern) {
+  void search_phases(const PeriodicResponse& response, const ImpactPattern& pattern) {
     PhaseSearchOptions budget = search_budget(pattern.impacts(), options_.impacts.has_value());
     budget.approaching = !options_.keep_virtual;
     budget.seed = options_.random_seed;
@@ -211,7 +241,8 @@ class Finder {
       for (const Orbit& orbit : found_.orbits)
         if (orbit.period == pattern.period && orbit.pattern().impacts() == pattern.impacts())
           search.know(orbit.pattern().stops, turned_phases(orbit));
-    bool any = keep(response, search.local());
+    const PhaseJudge judge(system_, response, scale_, options_.keep_virtual);
+    bool any = keep(judge, search.local());
     found_.random.tried += search.tried();
     found_.random.converged += search.converged();
     for (int run = 0; run < kGlobalRuns && !any && !options_.stop.requested(); ++run) {
@@ -219,7 +250,7 @@ class Finder {
       const std::optional<PhaseSolution> solution = search.global();
       if (!solution) continue;
       ++found_.global.converged;
-      any = keep(response, {*solution});
+      any = keep(judge, {*solution});
     }
   }
 
@@ -231,10 +262,10 @@ class Finder {
   }
 
   // Keeps the solutions that are orbits (or may be listed); whether there was one.
-  bool keep(const PeriodicResponse& response, const std::vector<PhaseSolution>& solutions) {
+  bool keep(const PhaseJudge& judge, const std::vector<PhaseSolution>& solutions) {
     std::vector<std::optional<Orbit>> orbits(solutions.size());
     for_each_index(solutions.size(), options_.threads, [&](std::size_t i) {
-      if (!options_.stop.requested()) orbits[i] = judge(response, solutions[i]);
+      if (!options_.stop.requested()) orbits[i] = judge.orbit_of(solutions[i]);
     });
     bool any = false;
     for (const std::optional<Orbit>& orbit : orbits) {
@@ -243,30 +274,6 @@ class Finder {
       keep(*orbit);
     }
     return any;
-  }
-
-  // The orbit of a solution of the phase problem; only outlined where it surely is none and is not
-  // to be listed. Nothing where there is no solution or it is not minimal.
-  std::optional<Orbit> judge(const PeriodicResponse& response,
-                             const PhaseSolution& solution) const {
-    Orbit orbit = outline(solution);
-    if (repeated_pattern(orbit)) return {};
-    const PhaseProblem phases(response, solution.pattern.stops, speed_scale());
-    const std::vector<ImpactPoint> points = phases.points(solution.phases);
-    if (!options_.keep_virtual && surely_virtual(solution, points)) return orbit;
-    const ShootingProblem problem(solution.pattern, scale_);
-    std::optional<ShootingSolution> polished = newton(problem, system_, problem.pack(points));
-    if (!polished) polished = seek(problem, system_, problem.pack(points));
-    if (!polished) return {};
-    orbit = make_orbit(system_, problem, polished->x);
-    if (repeated_pattern(orbit)) return {};
-    return orbit;
-  }
-
-  bool surely_virtual(const PhaseSolution& solution, const std::vector<ImpactPoint>& points) const {
-    if (solution.speeds.minCoeff() < -kSurely * speed_scale()) return true;
-    const Admissibility classification = admissibility(system_, solution.pattern, points);
-    return classification.nearest && classification.nearest->gap < -kSurely * scale_.length;
   }
 
   void from_rough_guesses(const ImpactPattern& pattern) {
@@ -328,7 +335,7 @@ class Finder {
     std::vector<Orbit>& orbits = found_.orbits;
     if (!options_.keep_virtual) {
       const auto is_virtual = [](const Orbit& orbit) { return !orbit.admissible; };
-      found_.inadmissible =
+      found_.inadmissible +=
           static_cast<int>(std::count_if(orbits.begin(), orbits.end(), is_virtual));
       orbits.erase(std::remove_if(orbits.begin(), orbits.end(), is_virtual), orbits.end());
     }
@@ -346,6 +353,10 @@ class Finder {
     if (found_.closed_form.tried > 0)
       parts.push_back(fmt::format("{} solutions of the closed form", found_.closed_form.tried));
     if (found_.simulated) parts.push_back("the simulation");
+    if (found_.pairs > 0)
+      parts.push_back(
+          fmt::format("{} starts from the closed form of two impacts on {} pair{} of stops",
+                      found_.two_impacts.tried, found_.pairs, found_.pairs == 1 ? "" : "s"));
     if (found_.patterns > 0)
       parts.push_back(fmt::format("{} random starts on {} sequence{} of stops", found_.random.tried,
                                   found_.patterns, found_.patterns == 1 ? "" : "s"));

@@ -58,8 +58,9 @@ struct StartCount {
 struct FoundOrbits {
   std::vector<Orbit> orbits;  // in the order of comes_before; each once, each minimal
   int inadmissible = 0;       // distinct solutions left out because they are no orbits
-  StartCount closed_form, simulation, random, global;
+  StartCount closed_form, two_impacts, simulation, random, global;
   int patterns = 0;                  // patterns searched at random
+  int pairs = 0;                     // pairs of stops whose two impacts have a closed form
   bool simulated = false;            // whether the simulation was among the starts
   std::vector<std::string> notes;    // sentences: what the simulation does, what did not hold
   std::vector<std::string> details;  // sentences about the numerics, for who looks into them

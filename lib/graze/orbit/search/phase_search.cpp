@@ -212,14 +212,20 @@ Orbit outline(const PhaseSolution& solution) {
   return orbit;
 }
 
+std::optional<PhaseSolution> solution_near(const PhaseProblem& problem, double length,
+                                           const Vector& phases) {
+  const std::optional<Vector> there = newton_phases(problem, length, phases);
+  const PhaseDeflation pairs({problem.response().period(), problem.stops()});
+  if (!there || !(pairs.nearest_pair(*there) > kSameOrbit)) return {};
+  return in_order(problem, *there);
+}
+
 std::optional<PhaseSolution> solve_phases(const PeriodicResponse& response,
                                           const PhaseDeflation& deflation, const Vector& start,
                                           const PhaseSearchOptions& options) {
   const PhaseProblem problem(response, deflation.pattern().stops, options.speed);
-  const std::optional<Vector> phases = newton_phases(
-      problem, options.length, levenberg_marquardt(problem, deflation, options.length, start));
-  if (!phases || !(deflation.nearest_pair(*phases) > kSameOrbit)) return {};
-  return in_order(problem, *phases);
+  return solution_near(problem, options.length,
+                       levenberg_marquardt(problem, deflation, options.length, start));
 }
 
 struct PhaseStarts::Sequence {

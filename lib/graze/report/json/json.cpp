@@ -324,6 +324,7 @@ std::string to_json(const OrbitRecord& record) {
     return Json{{"tried", c.tried}, {"converged", c.converged}};
   };
   document["starts"] = {{"closed_form", count(record.found.closed_form)},
+                        {"two_impacts", count(record.found.two_impacts)},
                         {"simulation", count(record.found.simulation)},
                         {"random", count(record.found.random)},
                         {"global", count(record.found.global)}};

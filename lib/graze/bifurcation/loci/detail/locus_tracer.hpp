@@ -12,18 +12,18 @@
 #include "graze/bifurcation/loci/detail/orbit_curve.hpp"
 #include "graze/bifurcation/loci/locus_continuations.hpp"
 #include "graze/bifurcation/trace/detail/orbit_problems.hpp"
+#include "graze/continuation/branch/detail/known_branch.hpp"
+#include "graze/continuation/locus/detail/known_loci.hpp"
 #include "graze/continuation/locus/locus.hpp"
 
 namespace graze {
 
-// In ranges of the parameters.
-double distance(const OrbitLocusPoint& a, const OrbitLocusPoint& b, const LocusOptions& options);
-
 // What came of a start.
 struct LocusAnswer {
-  bool known = false;               // its locus had been traced before
-  std::optional<LocusTrace> trace;  // nothing where it leads to no locus either
-  long long evaluations = 0;        // of the shooting equations
+  std::optional<LocusTrace> trace;   // nothing where it leads to no locus
+  std::optional<Locus> critical;     // the same as it was traced, of LP, PD and NS,
+  std::vector<SolutionPoint> curve;  // or of GR and CH
+  long long evaluations = 0;         // of the shooting equations
 };
 
 // One thread at a time.
@@ -36,7 +36,16 @@ class LocusTracer {
   LocusTracer(const LocusTracer&) = delete;
   LocusTracer& operator=(const LocusTracer&) = delete;
 
+  // Whether the start leads to a locus that was made known.
+  bool knows(const OrbitLocusStart& start);
+  // Its locus, known or not: depends on the start alone, and on the closure speed.
   LocusAnswer trace(const OrbitLocusStart& start);
+  // Makes what came of a start known.
+  void know(const OrbitLocusStart& start, LocusAnswer answer);
+
+  // m/s, of the first orbit with one that it was asked of; nothing before.
+  std::optional<double> closure_speed() const { return closure_speed_; }
+  void set_closure_speed(std::optional<double> speed) { closure_speed_ = speed; }
   double speed_unit() const { return scale_.speed; }  // m/s, of the forced motion
 
  private:
@@ -44,12 +53,12 @@ class LocusTracer {
   // LP, PD and NS of the orbits of one layout.
   struct Critical {
     std::unique_ptr<LocusOrbits> orbits;
-    std::map<OrbitLocusKind, std::vector<Locus>> traced;
+    std::map<OrbitLocusKind, KnownLoci> traced;
   };
   // Curves of a kind of one layout, of grazing contacts at one stop.
   struct Curves {
     std::unique_ptr<OrbitCurve> curve;
-    std::vector<Branch> traced{};
+    std::vector<KnownBranch> traced{};
   };
   // The unknown of a curve near a start.
   struct CurveStart {
@@ -60,6 +69,11 @@ class LocusTracer {
   // Every way in which the equations have its orbit; the one to start from first.
   std::vector<Written> written(const OrbitLocusStart& start);
   Critical& critical_of(const LaidOrbits& orbits);
+  static bool is_along(OrbitLocusKind kind);  // a curve with a condition of its own
+  LocusOptions options_for(const LocusOrbits& orbits) const;
+  LocusOptions options_along(const OrbitCurve& curve) const;
+  bool knows_critical(const OrbitLocusStart& start);
+  bool knows_along(const OrbitLocusStart& start);
   LocusAnswer trace_critical(const OrbitLocusStart& start);
   LocusAnswer trace_along(const OrbitLocusStart& start);
   CurveStart curve_at(const OrbitLocusStart& start);

@@ -11,6 +11,7 @@
 #include "graze/bifurcation/trace/detail/found_branches.hpp"
 #include "graze/bifurcation/trace/detail/orbit_problems.hpp"
 #include "graze/bifurcation/trace/orbit_branches_values.hpp"
+#include "graze/continuation/branch/detail/known_branch.hpp"
 
 namespace graze {
 
@@ -46,7 +47,7 @@ class BranchCollector {
   };
   struct Traced {
     LaidOrbits* orbits;
-    Branch branch;
+    KnownBranch branch;
   };
 
   bool trace_written(const Written& start, double value, Origin origin);

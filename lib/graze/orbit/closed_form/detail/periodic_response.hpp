@@ -43,12 +43,21 @@ class PeriodicResponse {
 
   // Y along the row of stop `at`, at forcing phase theta.
   RowMotion forced(int at, double theta) const;
+  // Y^ and Y_0 along it, m.
+  Complex forced_along(int at) const { return forced_at_[static_cast<std::size_t>(at)]; }
+  double rest_along(int at) const { return rest_at_[static_cast<std::size_t>(at)]; }
+  // Rate of the quickest mode or, if it is more, of the forcing, rad/s.
+  double quickest() const;
   // G_by along the row of stop `at`, s in (0, P].
   RowMotion impulse(int at, int by, double s) const;
   // The same between any two of many impacts on these stops at these instants, s in [0, P): what a
   // mode does from each instant to the next is computed once. Of two at one instant each comes a
   // whole P after the other.
   ImpulseMotions impulses(const std::vector<int>& stops, const Vector& instants) const;
+
+  // What a unit impulse on each mode alone leaves of it, by columns, at these instants after it, by
+  // rows: displacements and velocities.
+  void modal_impulses(const Vector& instants, Matrix& displacements, Matrix& velocities) const;
 
   // The same as states of the modes.
   State forced_state(double theta) const;

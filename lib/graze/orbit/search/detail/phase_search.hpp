@@ -80,6 +80,11 @@ class PhaseSearch {
   int tried_ = 0, converged_ = 0;
 };
 
+// The solution that Newton's method leads to from phases near it, or nothing: two impacts of one
+// stop at one instant are none. `length`, m, unit of the residual.
+std::optional<PhaseSolution> solution_near(const PhaseProblem& problem, double length,
+                                           const Vector& phases);
+
 // The solution that a solve from the start leads to, or nothing.
 std::optional<PhaseSolution> solve_phases(const PeriodicResponse& response,
                                           const PhaseDeflation& deflation, const Vector& start,

@@ -1,0 +1,25 @@
+// Boundaries among the places of a traced locus: what is one grazing is one place.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "graze/bifurcation/cut/detail/locus_orbits.hpp"
+#include "graze/continuation/locus/locus_values.hpp"
+
+namespace graze {
+
+// In ranges of the parameters.
+double distance(const OrbitLocusPoint& a, const OrbitLocusPoint& b, const LocusOptions& options);
+
+// A locus of folds, doublings or tori that creeps up to a grazing ends on it. `unit`: of speeds,
+// m/s.
+void end_on_grazing(std::vector<LocusPlace>& places, std::array<OrbitLocusEnd, 2> ends,
+                    double unit);
+
+// As an impact speed vanishes an approach touches too: one grazing, not two. A locus that was
+// started there has it among its points as well, on whatever side the last bit puts it. `unit`: of
+// speeds, m/s.
+void merge_boundaries(std::vector<LocusPlace>& places, const LocusOptions& options, double unit);
+
+}  // namespace graze

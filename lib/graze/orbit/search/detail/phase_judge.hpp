@@ -1,0 +1,37 @@
+// Which solutions of the phase problem are orbits.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "graze/orbit/search/detail/phase_search.hpp"
+#include "graze/system/system.hpp"
+
+namespace graze {
+
+class PhaseJudge {
+ public:
+  // Refers to the system and its response, which must outlive it. `keep_virtual`: solutions that
+  // are no orbits are wanted too.
+  PhaseJudge(const System& system, const PeriodicResponse& response, const MotionScale& scale,
+             bool keep_virtual)
+      : system_(system), response_(response), scale_(scale), keep_virtual_(keep_virtual) {}
+
+  // The orbit of a solution; only outlined where it surely is none and is not wanted. Nothing where
+  // Newton's method loses it or it repeats a shorter one.
+  std::optional<Orbit> orbit_of(const PhaseSolution& solution) const;
+
+  // Whether a look at the motion at some instants shows that it is no orbit, where such are not
+  // wanted: cheap beside a search for the minima of its gaps.
+  bool is_refused(const PhaseSolution& solution) const;
+
+ private:
+  bool surely_virtual(const PhaseSolution& solution, const std::vector<ImpactPoint>& points) const;
+
+  const System& system_;
+  const PeriodicResponse& response_;
+  MotionScale scale_;
+  bool keep_virtual_;
+};
+
+}  // namespace graze
