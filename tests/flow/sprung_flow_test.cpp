@@ -1,4 +1,5 @@
-// Contacts with a spring, entered and left: closed forms (hard cases S1 to S3).
+// Contacts with a spring, entered and left: closed forms (hard cases S1 to S3), by extrapolation
+// and by series.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -33,12 +34,18 @@ SprungSystem system_of(const Body& body) {
   return system;
 }
 
+using Method = std::unique_ptr<StepFlow> (*)(const SprungSystem&, const StepSetting&);
+
+class SprungFlow : public testing::TestWithParam<Method> {};
+INSTANTIATE_TEST_SUITE_P(ByExtrapolationAndSeries, SprungFlow,
+                         testing::Values(&bulirsch_stoer_flow, &contact_flow));
+
 Parted parted(const Body& body, double v, double tolerance = 1e-14) {
   StepSetting setting;
   setting.tolerance = tolerance;
   setting.speed = 1.0;
   setting.longest = 1.0;
-  const auto flow = bulirsch_stoer_flow(system_of(body), setting);
+  const auto flow = SprungFlow::GetParam()(system_of(body), setting);
   const double root = std::sqrt(body.mass);
   Vector x(2);
   x << root * body.from, root * v;
@@ -63,7 +70,7 @@ Parted parted(const Body& body, double v, double tolerance = 1e-14) {
 ContactForce hertz(double k) { return {k, 1.5, ContactDamping::kNone, 0.0, 0.0, 0.0, {}}; }
 
 // x_max = (5 m v^2/(4 k))^(2/5), duration 2.9432751843247 x_max/v.
-TEST(SprungFlow, S1HertzElastic) {
+TEST_P(SprungFlow, S1HertzElastic) {
   const auto expect = [](double k, double m, double v, double deepest, double duration,
                          double from) {
     SCOPED_TRACE(v);
@@ -83,7 +90,7 @@ TEST(SprungFlow, S1HertzElastic) {
 }
 
 // Half a period of the spring, or where its damping ends it.
-TEST(SprungFlow, S2SpringDashpot) {
+TEST_P(SprungFlow, S2SpringDashpot) {
   const double k = 1e6, m = 0.3, v = 0.2, w = std::sqrt(k / m);
   for (const double zeta : {0.0, 0.05, 0.3, 0.9}) {
     SCOPED_TRACE(zeta);
@@ -102,7 +109,7 @@ TEST(SprungFlow, S2SpringDashpot) {
   }
 }
 
-TEST(SprungFlow, S3HuntCrossley) {
+TEST_P(SprungFlow, S3HuntCrossley) {
   const double k = 2e8, m = 0.5, v = 0.3;
   for (const double n : {1.0, 1.5, 2.2})
     for (const double a : {0.1, 1.0, 10.0}) {
@@ -114,7 +121,7 @@ TEST(SprungFlow, S3HuntCrossley) {
 }
 
 // At other settings than the ones printed: the error follows the tolerance.
-TEST(SprungFlow, ErrorFollowsTheTolerance) {
+TEST_P(SprungFlow, ErrorFollowsTheTolerance) {
   const double v = 0.7, deepest = std::pow(1.25 * 0.02 * v * v / 5e8, 0.4);
   for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
     const Parted body = parted({0.02, hertz(5e8), 0.0}, v, tolerance);

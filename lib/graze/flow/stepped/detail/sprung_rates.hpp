@@ -55,6 +55,11 @@ class Sprung {
   struct Compression {
     double depth = 0.0, rate = 0.0;  // m, m/s
   };
+  // The depth of a spring at the start, m, and what an entry of z adds to it and to its rate.
+  struct Contact {
+    double start = 0.0;
+    Vector depth, rate;
+  };
   Compression compression(std::size_t spring, const State& z) const;
   // Force of a spring, N, and its rate, N/s; 0 where it is not loaded.
   std::size_t springs() const { return contacts_.size(); }
@@ -73,14 +78,24 @@ class Sprung {
     return contact_frequency_ > 0.0 ? std::fmin(longest, 0.1 / contact_frequency_) : longest;
   }
 
+  // What the right-hand side is made of, for those who expand it. Of a structure that turns these
+  // are not all.
+  const SprungSystem& system() const { return system_; }
+  const Contact& contact(std::size_t spring) const { return contacts_[spring]; }
+  Eigen::Index modes() const { return system_.load.size(); }
+  double start_phase() const { return theta_; }
+  double contact_frequency() const { return contact_frequency_; }  // w_c, rad/s
+  double work_unit() const { return work_unit_; }
+  const Vector& push() const { return push_; }            // constant forces over u
+  const Vector& harmonic() const { return force_; }       // amplitudes of the harmonic force over u
+  const Matrix& stiffness() const { return stiffness_; }  // K/w
+  // Where the works are in z: of the forcing, by damping, of what holds, and lost in the springs.
+  enum Place { kForcing, kWeight, kDissipation, kConstraint, kSprings };
+  std::size_t place(std::size_t work) const { return 2 * static_cast<std::size_t>(modes()) + work; }
+
   long long evaluations = 0;
 
  private:
-  struct Contact {
-    double start = 0.0;  // depth, m
-    Vector depth, rate;  // per entry of z
-  };
-  Eigen::Index modes() const { return system_.load.size(); }
   // Of a structure that is held in all its coordinates there are none.
   static double largest_of(const Vector& v) { return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0; }
   Vector times(const Matrix& matrix, const Vector& y) const {
@@ -88,10 +103,7 @@ class Sprung {
   }
   Compression compression_rate(std::size_t spring, const State& slope) const;
   void set_units(double theta, const Vector& velocity, std::span<const double> depths);
-  // Where the works are in z: of the forcing, by damping, of what holds, and lost in the springs.
-  enum Place { kForcing, kWeight, kDissipation, kConstraint, kSprings };
-  std::size_t place(std::size_t work) const { return 2 * static_cast<std::size_t>(modes()) + work; }
-  void add_powers(const State& z, const Vector& resistance, double s, State& slope);
+  void add_powers(const State& z, const Vector& resistance, double cosine, double s, State& slope);
   // Of a structure that turns: its motion in all coordinates, what acts on it beside springs and
   // stiffness, the inertia that its shape adds, and a force that holds it.
   void spread(const State& z);
@@ -213,7 +225,8 @@ inline void Sprung::operator()(const State& z, State& slope, double s) {
   Eigen::Map<Vector> rate(slope.data(), n), acceleration(slope.data() + n, n);
   rate = scale_.cwiseProduct(velocity);
   acceleration = push_;
-  if (system_.frequency > 0.0) acceleration += force_ * std::cos(theta_ + system_.frequency * s);
+  const double cosine = system_.frequency > 0.0 ? std::cos(theta_ + system_.frequency * s) : 0.0;
+  if (system_.frequency > 0.0) acceleration += force_ * cosine;
   if (stiffness_.cols() == 1)
     acceleration -= stiffness_.col(0).cwiseProduct(moved);
   else
@@ -227,7 +240,7 @@ inline void Sprung::operator()(const State& z, State& slope, double s) {
     turn(s, acceleration, slope);
   } else {
     acceleration -= resistance_;
-    add_powers(z, resistance_, s, slope);
+    add_powers(z, resistance_, cosine, s, slope);
   }
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const SprungSystem::Spring& spring = system_.springs[i];
@@ -242,15 +255,16 @@ inline void Sprung::operator()(const State& z, State& slope, double s) {
   if (system_.turning) add_inertia(acceleration);
 }
 
-inline void Sprung::add_powers(const State& z, const Vector& resistance, double s, State& slope) {
+inline void Sprung::add_powers(const State& z, const Vector& resistance, double cosine, double s,
+                               State& slope) {
   const Eigen::Index n = modes();
   const Eigen::Map<const Vector> velocity(z.data() + n, n);
   const double unit = unit_ * unit_ / work_unit_;
   const auto& powers = system_.powers;
   slope[place(kForcing)] = slope[place(kWeight)] = slope[place(kConstraint)] = 0.0;
   if (system_.frequency > 0.0)
-    slope[place(kForcing)] = unit / unit_ * std::cos(theta_ + system_.frequency * s) *
-                             (powers ? powers->forcing : system_.force).dot(velocity);
+    slope[place(kForcing)] =
+        unit / unit_ * cosine * (powers ? powers->forcing : system_.force).dot(velocity);
   slope[place(kDissipation)] =
       unit * (powers ? velocity.dot(powers->damping * velocity) : velocity.dot(resistance));
   if (!powers) return;

@@ -106,6 +106,12 @@ class WalkingFlow final : public StepFlow {
       walk_.step();
       const double to = std::min(walk_.to(), until);
       if (!(to > from)) return;
+      // Steps that are long for what is done with their parts say where these end.
+      if constexpr (requires { walk_.parts(); })
+        for (int i = 1; i < walk_.parts() && walk_.part_end(i) < to; ++i) {
+          visit(from, walk_.part_end(i));
+          from = walk_.part_end(i);
+        }
       visit(from, to);
       from = to;
     }
