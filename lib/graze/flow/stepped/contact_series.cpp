@@ -39,34 +39,39 @@ void multiply(const Matrix& matrix, const Eigen::Map<const Vector>& by, Eigen::M
     out.noalias() = matrix * by;
 }
 
+bool is_loaded(const SprungSystem::Spring& spring) { return spring.loaded; }
+
+std::size_t loaded_spring(const SprungSystem& system) {
+  const auto& springs = system.springs;
+  return static_cast<std::size_t>(std::find_if(springs.begin(), springs.end(), is_loaded) -
+                                  springs.begin());
+}
+
 }  // namespace
 
 bool ContactSeries::suits(const SprungSystem& system) {
-  const auto loaded = [](const SprungSystem::Spring& spring) { return spring.loaded; };
   if (system.turning || system.powers || system.load.size() == 0) return false;
-  if (std::count_if(system.springs.begin(), system.springs.end(), loaded) != 1) return false;
-  const ContactForce& law = std::find_if(system.springs.begin(), system.springs.end(), loaded)->law;
+  if (std::count_if(system.springs.begin(), system.springs.end(), is_loaded) != 1) return false;
+  const ContactForce& law = system.springs[loaded_spring(system)].law;
   const double power = 2.0 * law.exponent;
   return power == std::floor(power) && power <= kMostPower && law.damping != ContactDamping::kOnset;
 }
 
 ContactSeries::ContactSeries(const SprungSystem& system, double tolerance)
     : modes_(system.load.size()),
+      spring_(loaded_spring(system)),
+      law_(system.springs[spring_].law),
+      power_(static_cast<int>(2.0 * law_.exponent)),
       tolerance_(tolerance),
       motion_(2 * modes_ + kRows),
       slopes_(2 * modes_ + kRows),
-      left_(kFactors + kMostPower + modes_),
-      right_(left_.rows),
+      left_(factor(kResisted) + modes_),
+      right_(factor(kResisted) + modes_),
       products_(Vector::Zero(left_.rows)),
       resisted_(modes_),
       pulled_(modes_),
       sizes_(Vector::Zero(motion_.rows)),
-      values_(motion_.rows) {
-  while (!system.springs[spring_].loaded) ++spring_;
-  law_ = system.springs[spring_].law;
-  power_ = static_cast<int>(2.0 * law_.exponent);
-  last_power_ = std::max(2, power_);
-}
+      values_(motion_.rows) {}
 
 void ContactSeries::set_units(const Sprung& rates) {
   const SprungSystem::Spring& spring = rates.system().springs[spring_];
@@ -124,6 +129,14 @@ void ContactSeries::begin_products(int k) {
   }
 }
 
+double ContactSeries::square_of_root(int k) const {
+  double sum = 0.0;
+  for (int i = 0; 2 * i < k; ++i)
+    sum += root_[static_cast<std::size_t>(i)] * root_[static_cast<std::size_t>(k - i)];
+  const double middle = k % 2 == 0 ? root_[static_cast<std::size_t>(k / 2)] : 0.0;
+  return 2.0 * sum + middle * middle;
+}
+
 // Takes the next coefficient of a left factor; returns that of the product.
 double ContactSeries::product(Eigen::Index factor, int k, double left) {
   left_.numbers(factor, k) = left;
@@ -134,7 +147,8 @@ double ContactSeries::product(Eigen::Index factor, int k, double left) {
 double ContactSeries::force(int k, double* lost) {
   double powers[kMostPower + 1] = {};
   powers[1] = root_[static_cast<std::size_t>(k)];
-  for (int p = 1; p < last_power_; ++p) powers[p + 1] = product(p - 1, k, powers[p]);
+  powers[2] = square_of_root(k);
+  for (int p = 2; p < power_; ++p) powers[p + 1] = product(p - 2, k, powers[p]);
   const double elastic = unit_power_ * powers[power_];
   double resistance = 0.0;
   if (law_.damping == ContactDamping::kConstant && k == 0) resistance = law_.coefficient;
@@ -165,7 +179,7 @@ void ContactSeries::add_slopes(const Sprung& rates, int k) {
     right[factor(kResisted) + j] = work * velocity[j];
   }
   speed_[static_cast<std::size_t>(k)] = speed;
-  for (int p = 1; p < last_power_; ++p) right[p - 1] = root_[static_cast<std::size_t>(k)];
+  for (int p = 2; p < power_; ++p) right[p - 2] = root_[static_cast<std::size_t>(k)];
   right[factor(kResistance)] = speed;
   right[factor(kDrag)] = speed / (unit * unit);
   right[factor(kHarmonic)] = work * power;
@@ -201,15 +215,16 @@ void ContactSeries::integrate(int k) {
   root_[at + 1] = speed_[at] / (depth_ * frequency_ * (k + 1));
 }
 
-// Of a coefficient, against what may be erred.
+// Of the coefficients of t^k, each against what its row may err by; NaN where one is.
 double ContactSeries::size(int k) const {
-  return std::fmax(std::abs(root_[static_cast<std::size_t>(k)]) / tolerance_,
-                   motion_.at(k).cwiseProduct(sizes_).cwiseAbs().maxCoeff<Eigen::PropagateNaN>());
+  const double root = std::abs(root_[static_cast<std::size_t>(k)]) / tolerance_;
+  const double rows = motion_.at(k).cwiseProduct(sizes_).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+  return std::isnan(rows) || rows > root ? rows : root;
 }
 
-// So far that the coefficient of the highest order adds what a step may err by; those left out add
-// a part of that, by as much as they are smaller. Each of the last coefficients tells it, as if
-// they fell from the first one on as powers of a radius: a c^k at k = 0 and a at the highest order.
+// So far that the coefficients of the highest order, K, add what a step may err by; those left out
+// add a part of that, as they are smaller. Each of the last orders k tells the radius by which
+// sizes fall from the first, (c_0/c_k)^(1/k), and with it where those of order K add as much.
 bool ContactSeries::measure() {
   length_ = kLongest;
   const double first = std::log(std::fmax(1.0, size(0)));

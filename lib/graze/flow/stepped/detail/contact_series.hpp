@@ -12,6 +12,7 @@
 //   A. Jorba, M. Zou, Experimental Mathematics 14 (2005) 99-117: Taylor's method, its steps.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -75,16 +76,17 @@ class ContactSeries {
     }
   };
 
-  // The products of series: powers of r, then the damping's force, the powers, and those of what
-  // resists each coordinate.
-  enum Factor { kResistance, kDrag, kHarmonic, kResisted, kFactors = kResisted };
+  // The products of series: the powers of r from the third on, then the damping's force, the
+  // powers, and those of what resists each coordinate.
+  enum Factor { kResistance, kDrag, kHarmonic, kResisted };
 
   static double value(const Series& series, double t);
   Eigen::Index row(Row of) const { return 2 * modes_ + of; }
-  Eigen::Index factor(Factor of) const { return last_power_ - 1 + of; }
+  Eigen::Index factor(Factor of) const { return std::max(power_ - 2, 0) + of; }
   void begin(const Sprung& rates, const State& z, double s, double r);
   void begin_products(int k);
   double product(Eigen::Index factor, int k, double left);
+  double square_of_root(int k) const;
   double force(int k, double* lost);
   void add_slopes(const Sprung& rates, int k);
   void integrate(int k);
@@ -94,7 +96,7 @@ class ContactSeries {
   Eigen::Index modes_;
   std::size_t spring_ = 0;
   ContactForce law_;
-  int power_ = 1, last_power_ = 2;  // 2n, and the highest power of r that is needed
+  int power_ = 1;  // 2n
   double tolerance_;
   double depth_ = 1.0, frequency_ = 1.0;  // X, m; w, rad/s
   double unit_power_ = 1.0;               // X^n
