@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "graze/contact/detail/restitution_damping.hpp"
@@ -128,6 +129,32 @@ TEST_P(SprungFlow, ErrorFollowsTheTolerance) {
     EXPECT_NEAR(body.duration * v / (2.9432751843247 * deepest), 1.0, 100.0 * tolerance);
     EXPECT_NEAR(body.speed / v, 1.0, 100.0 * tolerance);
   }
+}
+
+// A stop beside the spring that is left at 1e-8 m/s and met again 2 ns later, 1 cm from where
+// displacements count: the gap in between is smaller than the rounding of the displacement.
+TEST_P(SprungFlow, AShortFlightOffAStopKeepsItsDigits) {
+  const double v = 1e-8, push = 9.8, place = 0.01;
+  SprungSystem system{
+      Vector::Zero(2), Vector::Zero(2), Vector{{push, 0.0}}, Vector::Zero(2), 0.0, {}, {}, {}};
+  const Vector row{{0.0, 1.0}};
+  system.springs.push_back({hertz(3e9), row, row, true, row});
+  StepSetting setting;
+  setting.tolerance = 1e-14;
+  setting.speed = 1.0;
+  setting.longest = std::numeric_limits<double>::infinity();
+  const auto flow = GetParam()(system, setting);
+  Watch gap;
+  gap.weights = Vector{{-1.0, 0.0, 0.0, 0.0}};
+  gap.constant = place;
+  gap.multiplicity = 1;
+  gap.departure = v;
+  const std::array<double, 1> depths = {1e-6};
+  flow->start(0.0, Vector{{place, 1e-6, -v, 0.02}}, depths);
+  const std::array<const Watch*, 1> watches = {&gap};
+  const StepDescent found = flow->first_descent(watches, 1e-3, 1e-3, {});
+  EXPECT_EQ(found.watch, 0);
+  EXPECT_NEAR(found.s / (2.0 * v / push), 1.0, 1e-9);
 }
 
 }  // namespace

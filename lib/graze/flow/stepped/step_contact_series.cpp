@@ -52,12 +52,18 @@ class SeriesWalk : public ExtrapolatedWalk {
     else
       ExtrapolatedWalk::between(s, x);
   }
-  // Equal parts of a series.
-  int parts() const { return end_ > 0.0 ? kParts : 1; }
-  double part_end(int i) const { return begin_ + series_.time(end_ * i / kParts); }
+  // Parts of a series up to `to`, s, equal in its own variable; a step that is short against the
+  // time so far has none.
+  int parts(double to) const {
+    return end_ > 0.0 && to - begin_ > kLeastParted * begin_ ? kParts : 1;
+  }
+  double part_end(int i, double to) const {
+    return begin_ + series_.time(series_.instant(to - begin_, end_) * i / kParts);
+  }
 
  private:
   static constexpr int kParts = 8;
+  static constexpr double kLeastParted = 1e-9;
   // Of the time so far, the step by which a depth that rounding left above the surface gets below.
   static constexpr double kBeyondSurface = 1e-6;
   // Of the forcing phase, rad, what no step passes that gets anywhere; after so many of these the

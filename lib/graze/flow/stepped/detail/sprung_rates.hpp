@@ -112,14 +112,16 @@ class Sprung {
   void set_turning_units(const Vector& velocity);
   double hold_force(int hold, double s, const State& z);
   double hold_rate(int hold, double s, const State& z);
+  double gained(const Watch& watch, const State& z) const;
   Vector spring_push(const State& z) const;
 
   SprungSystem system_;
   double tolerance_;
   double theta_ = 0.0;
-  Vector from_;        // y_0
-  Vector scale_;       // w
-  double unit_ = 1.0;  // u
+  Vector from_;            // y_0
+  Vector start_velocity_;  // y'_0/u
+  Vector scale_;           // w
+  double unit_ = 1.0;      // u
   double work_unit_ = 1.0;
   double longest_step_ = 0.0;
   double contact_frequency_ = 0.0;
@@ -207,7 +209,8 @@ inline void Sprung::begin(double theta, const Vector& x, std::span<const double>
   work_unit_ = largest * largest;
   if (system_.turning) angle_ = system_.turning->gathered(system_.turning->structure.angle_row());
   start.assign(place(kSprings) + contacts_.size(), 0.0);
-  Eigen::Map<Vector>(start.data() + n, n) = velocity / unit_;
+  start_velocity_ = velocity / unit_;
+  Eigen::Map<Vector>(start.data() + n, n) = start_velocity_;
   for (std::size_t i = 0; i < grips_.size(); ++i) {
     const Compression at = compression(i, start);
     const ContactForce& law = system_.springs[i].law;
@@ -318,6 +321,9 @@ inline double Sprung::observed(const Watch& watch, double s, const State& z) {
     if (watch.multiplicity > 0) return sign * (grip - grips_[i]) + grip_roundings_[i];
     return sign * grip;
   }
+  if (watch.multiplicity > 0 && watch.harmonic_re == 0.0 && watch.harmonic_im == 0.0 &&
+      watch.force_weights.size() == 0)
+    return gained(watch, z);
   Vector x;
   whole(z, x);
   double sum = watch.constant + watch.weights.dot(x);
@@ -332,6 +338,15 @@ inline double Sprung::observed(const Watch& watch, double s, const State& z) {
     sum += watch.force_weights[i] * system_.springs[spring].law.at(at.depth, at.rate);
   }
   return sum;
+}
+
+// Since the start, where the watch is zero: told by what moved, without what the displacements were
+// before, whose rounding is large against a gap that has just been left.
+inline double Sprung::gained(const Watch& watch, const State& z) const {
+  const Eigen::Index n = modes();
+  const Eigen::Map<const Vector> moved(z.data(), n), velocity(z.data() + n, n);
+  return unit_ * (watch.weights.head(n).cwiseQuotient(scale_).dot(moved) +
+                  watch.weights.tail(n).dot(velocity - start_velocity_));
 }
 
 inline double Sprung::rate(const Watch& watch, double s, const State& z) {
