@@ -364,7 +364,7 @@ TEST(Architecture, NothingRefersIntoAVariantThatACallReturns) {
 // a product is not seen by its type. So rooms beside base take those of factors, but for files
 // whose matrix comes as one: a generator, or what a motion followed once round gives.
 TEST(Architecture, OutsideBaseEigenvaluesAreTakenOfFactors) {
-  const std::set<std::string> whole = {"lib/graze/flow/held/coupled_flow.cpp",
+  const std::set<std::string> whole = {"lib/graze/flow/held/generator_parts.cpp",
                                        "lib/graze/orbit/problem/grazing_multipliers.cpp"};
   const std::regex call(R"((^|[^_[:alnum:]])eigenvalues\([^)])");
   std::set<std::string> found;

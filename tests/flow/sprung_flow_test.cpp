@@ -1,8 +1,10 @@
-// Contacts with a spring, entered and left: closed forms (hard cases S1 to S3).
+// Contacts with a spring, entered and left: closed forms (hard cases S1 to S3), by extrapolation
+// and by series.
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "graze/contact/detail/restitution_damping.hpp"
@@ -33,12 +35,18 @@ SprungSystem system_of(const Body& body) {
   return system;
 }
 
+using Method = std::unique_ptr<StepFlow> (*)(const SprungSystem&, const StepSetting&);
+
+class SprungFlow : public testing::TestWithParam<Method> {};
+INSTANTIATE_TEST_SUITE_P(ByExtrapolationAndSeries, SprungFlow,
+                         testing::Values(&bulirsch_stoer_flow, &contact_flow));
+
 Parted parted(const Body& body, double v, double tolerance = 1e-14) {
   StepSetting setting;
   setting.tolerance = tolerance;
   setting.speed = 1.0;
   setting.longest = 1.0;
-  const auto flow = bulirsch_stoer_flow(system_of(body), setting);
+  const auto flow = SprungFlow::GetParam()(system_of(body), setting);
   const double root = std::sqrt(body.mass);
   Vector x(2);
   x << root * body.from, root * v;
@@ -63,7 +71,7 @@ Parted parted(const Body& body, double v, double tolerance = 1e-14) {
 ContactForce hertz(double k) { return {k, 1.5, ContactDamping::kNone, 0.0, 0.0, 0.0, {}}; }
 
 // x_max = (5 m v^2/(4 k))^(2/5), duration 2.9432751843247 x_max/v.
-TEST(SprungFlow, S1HertzElastic) {
+TEST_P(SprungFlow, S1HertzElastic) {
   const auto expect = [](double k, double m, double v, double deepest, double duration,
                          double from) {
     SCOPED_TRACE(v);
@@ -83,7 +91,7 @@ TEST(SprungFlow, S1HertzElastic) {
 }
 
 // Half a period of the spring, or where its damping ends it.
-TEST(SprungFlow, S2SpringDashpot) {
+TEST_P(SprungFlow, S2SpringDashpot) {
   const double k = 1e6, m = 0.3, v = 0.2, w = std::sqrt(k / m);
   for (const double zeta : {0.0, 0.05, 0.3, 0.9}) {
     SCOPED_TRACE(zeta);
@@ -102,7 +110,7 @@ TEST(SprungFlow, S2SpringDashpot) {
   }
 }
 
-TEST(SprungFlow, S3HuntCrossley) {
+TEST_P(SprungFlow, S3HuntCrossley) {
   const double k = 2e8, m = 0.5, v = 0.3;
   for (const double n : {1.0, 1.5, 2.2})
     for (const double a : {0.1, 1.0, 10.0}) {
@@ -114,13 +122,39 @@ TEST(SprungFlow, S3HuntCrossley) {
 }
 
 // At other settings than the ones printed: the error follows the tolerance.
-TEST(SprungFlow, ErrorFollowsTheTolerance) {
+TEST_P(SprungFlow, ErrorFollowsTheTolerance) {
   const double v = 0.7, deepest = std::pow(1.25 * 0.02 * v * v / 5e8, 0.4);
   for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
     const Parted body = parted({0.02, hertz(5e8), 0.0}, v, tolerance);
     EXPECT_NEAR(body.duration * v / (2.9432751843247 * deepest), 1.0, 100.0 * tolerance);
     EXPECT_NEAR(body.speed / v, 1.0, 100.0 * tolerance);
   }
+}
+
+// A stop beside the spring that is left at 1e-8 m/s and met again 2 ns later, 1 cm from where
+// displacements count: the gap in between is smaller than the rounding of the displacement.
+TEST_P(SprungFlow, AShortFlightOffAStopKeepsItsDigits) {
+  const double v = 1e-8, push = 9.8, place = 0.01;
+  SprungSystem system{
+      Vector::Zero(2), Vector::Zero(2), Vector{{push, 0.0}}, Vector::Zero(2), 0.0, {}, {}, {}};
+  const Vector row{{0.0, 1.0}};
+  system.springs.push_back({hertz(3e9), row, row, true, row});
+  StepSetting setting;
+  setting.tolerance = 1e-14;
+  setting.speed = 1.0;
+  setting.longest = std::numeric_limits<double>::infinity();
+  const auto flow = GetParam()(system, setting);
+  Watch gap;
+  gap.weights = Vector{{-1.0, 0.0, 0.0, 0.0}};
+  gap.constant = place;
+  gap.multiplicity = 1;
+  gap.departure = v;
+  const std::array<double, 1> depths = {1e-6};
+  flow->start(0.0, Vector{{place, 1e-6, -v, 0.02}}, depths);
+  const std::array<const Watch*, 1> watches = {&gap};
+  const StepDescent found = flow->first_descent(watches, 1e-3, 1e-3, {});
+  EXPECT_EQ(found.watch, 0);
+  EXPECT_NEAR(found.s / (2.0 * v / push), 1.0, 1e-9);
 }
 
 }  // namespace

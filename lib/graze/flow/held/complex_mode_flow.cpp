@@ -5,17 +5,16 @@
 #include <utility>
 
 namespace graze {
-std::optional<ComplexModes> usable_modes(const FirstOrderSystem& system, double quickest) {
-  ComplexModes modes = complex_modes(system.generator);
-  if (!(modes.condition <= kLargestLoss * static_cast<double>(system.load.size()))) return {};
+bool are_usable(const ComplexModes& modes, const FirstOrderSystem& system, double quickest) {
+  if (!(modes.condition <= kLargestLoss * static_cast<double>(system.load.size()))) return false;
   const bool loaded = system.loads_vary || system.load.squaredNorm() > 0.0;
   for (const Complex l : modes.values) {
     const bool resonant = system.frequency > 0.0 &&
                           std::abs(Complex(0.0, system.frequency) - l) * kLargestLoss < std::abs(l);
     const bool soft = std::abs(l) * kLargestLoss * kLargestLoss < quickest;
-    if (resonant || (soft && loaded)) return {};
+    if (resonant || (soft && loaded)) return false;
   }
-  return modes;
+  return true;
 }
 
 ComplexModeFlow::ComplexModeFlow(const FirstOrderSystem& system, ComplexVector values,

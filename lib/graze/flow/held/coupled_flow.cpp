@@ -6,19 +6,10 @@
 #include <cmath>
 #include <limits>
 
-#include "graze/base/linalg/detail/invariant_blocks.hpp"
 #include "graze/base/linalg/detail/linear_equations.hpp"
 
 namespace graze {
 namespace {
-
-// Largest growth beyond the error of its eigenvalue.
-double certain_growth(const Matrix& generator) {
-  double growth = 0.0;
-  for (const Eigenvalue& l : eigenvalues(generator))
-    if (l.value.real() > l.error) growth = std::max(growth, l.value.real());
-  return growth;
-}
 
 FirstOrderSystem first_order(const CoupledSystem& system) {
   const Eigen::Index m = system.scale.size();
@@ -53,28 +44,29 @@ Eigen::MatrixXcd with_rates(const Vector& scale, Eigen::MatrixXcd basis,
 
 CoupledFlow::CoupledFlow(const CoupledSystem& system)
     : scale_(system.scale), whole_(graze::first_order(system)) {
-  growth_ = certain_growth(whole_.generator);
-  split(std::max(scale_.maxCoeff(), system.frequency));
+  const std::shared_ptr<const GeneratorParts> apart = generator_parts(whole_.generator);
+  growth_ = apart->growth;
+  split(apart->parts, std::max(scale_.maxCoeff(), system.frequency));
 }
 
 // Decompositions err by eps times the quickest rate, and would set a stop moving that is at rest.
 // So the basis is rebuilt with velocities as the rates of displacements, (scale y)' = scale y', as
 // an identity, row by row from the half in which the rates leave rounding smaller.
-void CoupledFlow::split(double quickest) {
+void CoupledFlow::split(const std::vector<GeneratorPart>& parts, double quickest) {
   const Eigen::Index n = whole_.load.size();
   std::vector<FirstOrderSystem> without_modes;
   Eigen::MatrixXcd basis(n, n);
   ComplexVector values(n);
   Eigen::Index modes = 0, others = n;  // modes come first
-  for (const InvariantBlock& block : invariant_blocks(whole_.generator, kLargestLoss)) {
+  for (const auto& [block, own] : parts) {
     const Eigen::Index k = block.matrix.rows();
     FirstOrderSystem system{block.matrix, block.coordinates * whole_.load,
                             block.coordinates * whole_.force, whole_.frequency, whole_.loads_vary};
-    if (const std::optional<ComplexModes> found = usable_modes(system, quickest)) {
-      values.segment(modes, k) = found->values;
+    if (are_usable(own, system, quickest)) {
+      values.segment(modes, k) = own.values;
       for (Eigen::Index j = 0; j < k; ++j)
-        basis.col(modes++) = with_rates(scale_, block.basis * found->vectors.col(j),
-                                        Eigen::MatrixXcd::Constant(1, 1, found->values[j]));
+        basis.col(modes++) = with_rates(scale_, block.basis * own.vectors.col(j),
+                                        Eigen::MatrixXcd::Constant(1, 1, own.values[j]));
       continue;
     }
     others -= k;

@@ -73,7 +73,7 @@ void SprungPhase::integrate(const std::optional<StepSetting>& steps) {
     setting.tolerance = kStepTolerance;
     setting.longest = std::numeric_limits<double>::infinity();
   }
-  step_by(steps ? step_flow(equations_, setting) : bulirsch_stoer_flow(equations_, setting));
+  step_by(steps ? step_flow(equations_, setting) : contact_flow(equations_, setting));
 }
 
 void SprungPhase::start(const double& theta, const Vector& q, const Vector& qdot,

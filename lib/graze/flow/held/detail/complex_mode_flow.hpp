@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 
 #include "graze/base/linalg/decompositions.hpp"
 #include "graze/flow/exact/detail/arc_curve.hpp"
@@ -11,9 +10,10 @@
 
 namespace graze {
 
-// Empty where the modes are nearly dependent (defective), resonant with the force, or too soft for
-// the load: far slower than `quickest`, a rate of the structure in rad/s.
-std::optional<ComplexModes> usable_modes(const FirstOrderSystem& system, double quickest);
+// Whether the modes of a system serve: not where they are nearly dependent (defective), resonant
+// with the force, or too soft for the load: far slower than `quickest`, a rate of the structure in
+// rad/s.
+bool are_usable(const ComplexModes& modes, const FirstOrderSystem& system, double quickest);
 
 class ComplexModeFlow {
  public:

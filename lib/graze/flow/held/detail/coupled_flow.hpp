@@ -15,6 +15,7 @@
 #include "graze/flow/exact/detail/arc_curve.hpp"
 #include "graze/flow/held/detail/complex_mode_flow.hpp"
 #include "graze/flow/held/detail/exponential_flow.hpp"
+#include "graze/flow/held/detail/generator_parts.hpp"
 
 namespace graze {
 
@@ -42,7 +43,7 @@ class CoupledFlow {
 
  private:
   friend class CoupledArc;
-  void split(double quickest);
+  void split(const std::vector<GeneratorPart>& parts, double quickest);
 
   Vector scale_;
   FirstOrderSystem whole_;

@@ -1,5 +1,5 @@
-// The phase of a structure that compresses springs, integrated step by step; between the ends of
-// its steps it is looked for events too (step_walk.hpp).
+// The phase of a structure that compresses springs, followed step by step, by series or integrated;
+// between the ends of its steps it is looked for events too (step_walk.hpp).
 #pragma once
 
 #include <limits>
@@ -11,8 +11,9 @@
 namespace graze {
 
 // Of a step where the motion has no closed form, against the speed of the contact
-// (sprung_rates.hpp), or of the structure that turns. A contact costs some thousand evaluations and
-// gives the speed away to 3e-13; over some ten thousand steps the energy keeps ten digits.
+// (sprung_rates.hpp), or of the structure that turns. By series a contact gives the speed away to
+// some roundings, by extrapolation, with some thousand evaluations, to 3e-13; over some ten thousand
+// steps the energy keeps ten digits.
 inline constexpr double kStepTolerance = 1e-14;
 
 // Of a sum of forces, each of its size.

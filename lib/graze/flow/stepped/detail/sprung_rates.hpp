@@ -55,6 +55,11 @@ class Sprung {
   struct Compression {
     double depth = 0.0, rate = 0.0;  // m, m/s
   };
+  // The depth of a spring at the start, m, and what an entry of z adds to it and to its rate.
+  struct Contact {
+    double start = 0.0;
+    Vector depth, rate;
+  };
   Compression compression(std::size_t spring, const State& z) const;
   // Force of a spring, N, and its rate, N/s; 0 where it is not loaded.
   std::size_t springs() const { return contacts_.size(); }
@@ -73,14 +78,24 @@ class Sprung {
     return contact_frequency_ > 0.0 ? std::fmin(longest, 0.1 / contact_frequency_) : longest;
   }
 
+  // What the right-hand side is made of, for those who expand it. Of a structure that turns these
+  // are not all.
+  const SprungSystem& system() const { return system_; }
+  const Contact& contact(std::size_t spring) const { return contacts_[spring]; }
+  Eigen::Index modes() const { return system_.load.size(); }
+  double start_phase() const { return theta_; }
+  double contact_frequency() const { return contact_frequency_; }  // w_c, rad/s
+  double work_unit() const { return work_unit_; }
+  const Vector& push() const { return push_; }            // constant forces over u
+  const Vector& harmonic() const { return force_; }       // amplitudes of the harmonic force over u
+  const Matrix& stiffness() const { return stiffness_; }  // K/w
+  // Where the works are in z: of the forcing, by damping, of what holds, and lost in the springs.
+  enum Place { kForcing, kWeight, kDissipation, kConstraint, kSprings };
+  std::size_t place(std::size_t work) const { return 2 * static_cast<std::size_t>(modes()) + work; }
+
   long long evaluations = 0;
 
  private:
-  struct Contact {
-    double start = 0.0;  // depth, m
-    Vector depth, rate;  // per entry of z
-  };
-  Eigen::Index modes() const { return system_.load.size(); }
   // Of a structure that is held in all its coordinates there are none.
   static double largest_of(const Vector& v) { return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0; }
   Vector times(const Matrix& matrix, const Vector& y) const {
@@ -88,10 +103,7 @@ class Sprung {
   }
   Compression compression_rate(std::size_t spring, const State& slope) const;
   void set_units(double theta, const Vector& velocity, std::span<const double> depths);
-  // Where the works are in z: of the forcing, by damping, of what holds, and lost in the springs.
-  enum Place { kForcing, kWeight, kDissipation, kConstraint, kSprings };
-  std::size_t place(std::size_t work) const { return 2 * static_cast<std::size_t>(modes()) + work; }
-  void add_powers(const State& z, const Vector& resistance, double s, State& slope);
+  void add_powers(const State& z, const Vector& resistance, double cosine, double s, State& slope);
   // Of a structure that turns: its motion in all coordinates, what acts on it beside springs and
   // stiffness, the inertia that its shape adds, and a force that holds it.
   void spread(const State& z);
@@ -100,14 +112,16 @@ class Sprung {
   void set_turning_units(const Vector& velocity);
   double hold_force(int hold, double s, const State& z);
   double hold_rate(int hold, double s, const State& z);
+  double gained(const Watch& watch, const State& z) const;
   Vector spring_push(const State& z) const;
 
   SprungSystem system_;
   double tolerance_;
   double theta_ = 0.0;
-  Vector from_;        // y_0
-  Vector scale_;       // w
-  double unit_ = 1.0;  // u
+  Vector from_;            // y_0
+  Vector start_velocity_;  // y'_0/u
+  Vector scale_;           // w
+  double unit_ = 1.0;      // u
   double work_unit_ = 1.0;
   double longest_step_ = 0.0;
   double contact_frequency_ = 0.0;
@@ -195,7 +209,8 @@ inline void Sprung::begin(double theta, const Vector& x, std::span<const double>
   work_unit_ = largest * largest;
   if (system_.turning) angle_ = system_.turning->gathered(system_.turning->structure.angle_row());
   start.assign(place(kSprings) + contacts_.size(), 0.0);
-  Eigen::Map<Vector>(start.data() + n, n) = velocity / unit_;
+  start_velocity_ = velocity / unit_;
+  Eigen::Map<Vector>(start.data() + n, n) = start_velocity_;
   for (std::size_t i = 0; i < grips_.size(); ++i) {
     const Compression at = compression(i, start);
     const ContactForce& law = system_.springs[i].law;
@@ -213,7 +228,8 @@ inline void Sprung::operator()(const State& z, State& slope, double s) {
   Eigen::Map<Vector> rate(slope.data(), n), acceleration(slope.data() + n, n);
   rate = scale_.cwiseProduct(velocity);
   acceleration = push_;
-  if (system_.frequency > 0.0) acceleration += force_ * std::cos(theta_ + system_.frequency * s);
+  const double cosine = system_.frequency > 0.0 ? std::cos(theta_ + system_.frequency * s) : 0.0;
+  if (system_.frequency > 0.0) acceleration += force_ * cosine;
   if (stiffness_.cols() == 1)
     acceleration -= stiffness_.col(0).cwiseProduct(moved);
   else
@@ -227,7 +243,7 @@ inline void Sprung::operator()(const State& z, State& slope, double s) {
     turn(s, acceleration, slope);
   } else {
     acceleration -= resistance_;
-    add_powers(z, resistance_, s, slope);
+    add_powers(z, resistance_, cosine, s, slope);
   }
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const SprungSystem::Spring& spring = system_.springs[i];
@@ -242,15 +258,16 @@ inline void Sprung::operator()(const State& z, State& slope, double s) {
   if (system_.turning) add_inertia(acceleration);
 }
 
-inline void Sprung::add_powers(const State& z, const Vector& resistance, double s, State& slope) {
+inline void Sprung::add_powers(const State& z, const Vector& resistance, double cosine, double s,
+                               State& slope) {
   const Eigen::Index n = modes();
   const Eigen::Map<const Vector> velocity(z.data() + n, n);
   const double unit = unit_ * unit_ / work_unit_;
   const auto& powers = system_.powers;
   slope[place(kForcing)] = slope[place(kWeight)] = slope[place(kConstraint)] = 0.0;
   if (system_.frequency > 0.0)
-    slope[place(kForcing)] = unit / unit_ * std::cos(theta_ + system_.frequency * s) *
-                             (powers ? powers->forcing : system_.force).dot(velocity);
+    slope[place(kForcing)] =
+        unit / unit_ * cosine * (powers ? powers->forcing : system_.force).dot(velocity);
   slope[place(kDissipation)] =
       unit * (powers ? velocity.dot(powers->damping * velocity) : velocity.dot(resistance));
   if (!powers) return;
@@ -304,6 +321,9 @@ inline double Sprung::observed(const Watch& watch, double s, const State& z) {
     if (watch.multiplicity > 0) return sign * (grip - grips_[i]) + grip_roundings_[i];
     return sign * grip;
   }
+  if (watch.multiplicity > 0 && watch.harmonic_re == 0.0 && watch.harmonic_im == 0.0 &&
+      watch.force_weights.size() == 0)
+    return gained(watch, z);
   Vector x;
   whole(z, x);
   double sum = watch.constant + watch.weights.dot(x);
@@ -318,6 +338,15 @@ inline double Sprung::observed(const Watch& watch, double s, const State& z) {
     sum += watch.force_weights[i] * system_.springs[spring].law.at(at.depth, at.rate);
   }
   return sum;
+}
+
+// Since the start, where the watch is zero: told by what moved, without what the displacements were
+// before, whose rounding is large against a gap that has just been left.
+inline double Sprung::gained(const Watch& watch, const State& z) const {
+  const Eigen::Index n = modes();
+  const Eigen::Map<const Vector> moved(z.data(), n), velocity(z.data() + n, n);
+  return unit_ * (watch.weights.head(n).cwiseQuotient(scale_).dot(moved) +
+                  watch.weights.tail(n).dot(velocity - start_velocity_));
 }
 
 inline double Sprung::rate(const Watch& watch, double s, const State& z) {

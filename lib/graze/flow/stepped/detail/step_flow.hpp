@@ -136,7 +136,8 @@ class StepFlow {
                                     double told_depth = kNoDepth) = 0;
   // The state s seconds after the start. Dear where s lies before the step taken last.
   virtual void state(double s, Vector& x) = 0;
-  // Goes through the steps once more, from the start up to `until`, s: each from where to where.
+  // Goes through the steps once more, from the start up to `until`, s: each, or each part of a long
+  // one, from where to where.
   // The states within a step are at hand while it is visited.
   virtual void each_step(double until, const std::function<void(double, double)>& visit) = 0;
   // Of a spring since the start: its largest force, N, and how deep it was compressed, m, where

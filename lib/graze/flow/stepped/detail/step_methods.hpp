@@ -22,8 +22,11 @@ std::unique_ptr<StepFlow> dopri5_flow(const SprungSystem& system, const StepSett
 std::unique_ptr<StepFlow> fehlberg78_flow(const ModalRates& rates, const StepSetting& setting);
 std::unique_ptr<StepFlow> fehlberg78_flow(const FirstOrderSystem& system,
                                           const StepSetting& setting);
+std::unique_ptr<StepFlow> fehlberg78_flow(const SprungSystem& system, const StepSetting& setting);
 std::unique_ptr<StepFlow> bulirsch_stoer_flow(const SprungSystem& system,
                                               const StepSetting& setting);
-std::unique_ptr<StepFlow> fehlberg78_flow(const SprungSystem& system, const StepSetting& setting);
+// By power series where the law of the contact has such (contact_series.hpp), else by
+// extrapolation.
+std::unique_ptr<StepFlow> contact_flow(const SprungSystem& system, const StepSetting& setting);
 
 }  // namespace graze

@@ -106,6 +106,18 @@ class WalkingFlow final : public StepFlow {
       walk_.step();
       const double to = std::min(walk_.to(), until);
       if (!(to > from)) return;
+      // Nothing lies between neighbouring numbers.
+      if (to - from <= kNothing * to) {
+        from = to;
+        continue;
+      }
+      // Steps that are long for what is done with their parts say where these end.
+      if constexpr (requires { walk_.parts(to); })
+        for (int i = 1, parts = walk_.parts(to); i < parts; ++i) {
+          const double end = walk_.part_end(i, to);
+          visit(from, end);
+          from = end;
+        }
       visit(from, to);
       from = to;
     }
@@ -248,6 +260,8 @@ class WalkingFlow final : public StepFlow {
   }
 
   static constexpr long long kStepsPerPoll = 4096;
+  // Of the time so far: a step so short has no room for nodes of a rule.
+  static constexpr double kNothing = 1024.0 * std::numeric_limits<double>::epsilon();
   Walk walk_;
   long long polls_ = 0;
   State start_, within_, last_, at_end_;
