@@ -149,7 +149,7 @@ TEST(Program, JsonIsOneDocumentWithTheContractsKeys) {
 TEST(Program, OrbitSpeaksOfTheSimulationOnlyWhereThereWasOne) {
   const std::string said = "simulation settle";
   const Finished preloaded = run_graze(
-      "orbit --json --start closed-form,simulation --set stop.gap=-1e-4 "
+      "orbit --json --impacts 1 --start closed-form,simulation --set stop.gap=-1e-4 "
       "--set 'initial={q=[0.0],qdot=[0.0]}' " +
       kOneMode);
   EXPECT_EQ(preloaded.code, 3);

@@ -112,9 +112,10 @@ class OrbitTracer {
       if (options_.progress)
         options_.progress(
             (round + static_cast<double>(i) / static_cast<double>(values.size() + 1)) / rounds);
-      // Some values are searched side by side; what is found does not depend on how many.
-      if (i % kValuesAtOnce == 0) {
-        const std::size_t some = std::min(kValuesAtOnce, values.size() - i);
+      // The first by itself, on all threads, as it may be searched for longer; then some side by
+      // side. What is found does not depend on how many.
+      if (i == 0 || i % kValuesAtOnce == 1) {
+        const std::size_t some = i == 0 ? 1 : std::min(kValuesAtOnce, values.size() - i);
         for_each_index(some, finder.threads, [&](std::size_t k) {
           FinderOptions one = finder;
           if (some > 1) one.threads = 1;

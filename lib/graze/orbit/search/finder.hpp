@@ -1,12 +1,13 @@
 // Finding the periodic orbits of a scene's system from several independent starts.
 //
-//   closed form   both (p, 1) solutions on each stop, exactly (closed_form.hpp);
+//   closed form   both (p, 1) solutions on each stop, exactly (closed_form.hpp), and all (p, 2)
+//                 solutions on each pair of stops of constant restitution (two_impacts.hpp);
 //   simulation    what the motion from the scene's initial state settles on, whatever its pattern;
-//   random        for each pattern the phase problem (phase_problem.hpp) searched from quasi-random
-//                 phases, known solutions deflated, and by global minimisation where that leaves no
-//                 orbit (phase_search.hpp). Where the phase problem does not hold (a mode whose
-//                 free motion repeats by itself), Levenberg-Marquardt on the shooting equations
-//                 from rough guesses.
+//   random        for each other pattern the phase problem (phase_problem.hpp) searched from quasi-
+//                 random phases, known solutions deflated, and by global minimisation where that
+//                 leaves no orbit (phase_search.hpp). Where the phase problem does not hold (a mode
+//                 whose free motion repeats by itself), Levenberg-Marquardt on the shooting
+//                 equations from rough guesses.
 //
 // With compliant stops the first and the last are those of contact_starts.hpp, and every orbit is
 // followed through its contacts (followed_orbit.hpp).

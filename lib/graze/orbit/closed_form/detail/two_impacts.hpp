@@ -32,8 +32,8 @@ namespace graze {
 
 class TwoImpacts {
  public:
-  // Near every solution on these stops, whether an orbit or not, phases of its two impacts, rad, the
-  // second within p turns after the first: starts for Newton's method, to some eight digits. A
+  // Near every solution on these stops, whether an orbit or not, phases of its two impacts, rad,
+  // the second within p turns after the first: starts for Newton's method, to some eight digits. A
   // solution may have several. Requires that it holds on them.
   std::vector<Vector> phases(int first, int second) const;
 
