@@ -103,6 +103,9 @@ TEST(Program, EndsAContactInWhichTimeStandsStill) {
       "simulate " + scene("14_beam_against_a_ball.toml") + " --set forcing.amplitude=6e12",
       kUntilItHangs);
   EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_NE((run.out + run.err).find("the motion left the range of double precision"),
+            std::string::npos)
+      << run.out << run.err;
 }
 
 // Nothing is finished before the scene is assembled, so nothing is waited for.

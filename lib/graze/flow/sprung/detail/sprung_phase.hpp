@@ -12,8 +12,8 @@ namespace graze {
 
 // Of a step where the motion has no closed form, against the speed of the contact
 // (sprung_rates.hpp), or of the structure that turns. By series a contact gives the speed away to
-// some roundings, by extrapolation, with some thousand evaluations, to 3e-13; over some ten thousand
-// steps the energy keeps ten digits.
+// some roundings, by extrapolation, with some thousand evaluations, to 3e-13; over some ten
+// thousand steps the energy keeps ten digits.
 inline constexpr double kStepTolerance = 1e-14;
 
 // Of a sum of forces, each of its size.
