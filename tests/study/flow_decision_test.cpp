@@ -64,8 +64,8 @@ TEST(FlowDecision, MeetsTheToleranceOfEveryRigidSceneForTheLeast) {
 }
 
 // At compliant stops: every contact is seen, and the error, that of contacts followed to some 1e-14
-// of their speed, magnified by what follows, meets the tolerance: what docs/accuracy.md says. On the
-// beam against the ball (14) it is less than a hundredth of that. Other settings may cost less.
+// of their speed, magnified by what follows, meets the tolerance: what docs/accuracy.md says. On
+// the beam against the ball (14) it is less than a hundredth of that. Other settings may cost less.
 TEST(FlowDecision, ErrorsAtCompliantStops) {
   struct Case {
     const char* name;
