@@ -55,7 +55,7 @@ class TwoImpacts::Pair {
       value_[k] = of.displacements_ * weights;
       rate_[k] = of.velocities_ * weights;
     }
-    mirrored_ = odd_ && !one_stop_ && at_sample(middle()).vanish(distance_);
+    mirrored_ = !one_stop_ && at_sample(middle()).vanish(distance_);
   }
 
   std::vector<Vector> solutions() const {

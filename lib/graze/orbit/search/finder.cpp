@@ -199,6 +199,11 @@ class Finder {
     });
     const std::vector<std::vector<int>> pairs(first, last);
     list.erase(first, last);
+    if (std::any_of(list.begin(), list.end(), [](const auto& stops) { return stops.size() == 2; }))
+      (options_.from_random ? found_.details : found_.notes)
+          .push_back(
+              "the closed form of two impacts does not hold on every pair of stops: restitution "
+              "depends on the speed there, or nothing is lost");
     const PhaseJudge judge(system_, response, scale_, options_.keep_virtual);
     const PairSolutions solved =
         solve_pairs(*answer.form, response, judge, pairs, scale_, options_.threads, options_.stop);

@@ -17,9 +17,10 @@
 // minima of their size are looked into where they might reach zero.
 //
 // Where both equations of contact are one, n and E vanish: on one stop with s, and at s = P/2, if p
-// is even, as an orbit of p/2 run twice; on stops that mirror each other, if p is odd, at s = P/2,
-// where the one equation that is left has the symmetric orbits. These zeros are divided out. On one
-// stop the impacts may change names, and half of all s suffice.
+// is even, as an orbit of p/2 run twice; on stops that mirror each other at s = P/2, where the one
+// equation that is left has the symmetric orbits: opposite ones if p is odd, those that see the
+// same of the forced motion if it is even. These zeros are divided out. On one stop the impacts may
+// change names, and half of all s suffice.
 #pragma once
 
 #include <optional>
