@@ -1,6 +1,5 @@
 #include "graze/flow/variation/detail/sprung_deviation.hpp"
 
-#include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "graze/flow/held/detail/contact_share.hpp"
+#include "graze/flow/stepped/detail/extrapolation.hpp"
 #include "graze/flow/stepped/detail/sprung_rates_turning_impl.hpp"
 
 namespace graze {
@@ -214,27 +214,11 @@ class Varied {
   Vector drift_, push_;
 };
 
-// A step that fails its error more often than this in a row will not succeed.
-constexpr int kMostFailures = 500;
-
-// Odeint begins a step with a look at the size of the last one, which before the first step has no
-// value. It gets one here, NaN, which no step has. That size is private: an explicit instantiation
-// may name it, and has a friend that sets it.
-using Method = odeint::bulirsch_stoer<Varied::State>;
-void begin_steps(Method& method);
-template <double Method::*kLastStep>
-struct LastStep {
-  friend void begin_steps(Method& method) {
-    method.*kLastStep = std::numeric_limits<double>::quiet_NaN();
-  }
-};
-template struct LastStep<&Method::m_dt_last>;
-
 Varied::State integrate(Varied& varied, Varied::State whole, double s) {
-  Method method(kDeviationTolerance, Sprung::relative(kDeviationTolerance), 1.0, 0.0);
-  begin_steps(method);
+  step_walk::Extrapolation method =
+      step_walk::extrapolation(kDeviationTolerance, Sprung::relative(kDeviationTolerance));
   double at = 0.0, next = varied.first_step(s);
-  for (int failures = 0; at < s && failures < kMostFailures;) {
+  for (int failures = 0; at < s && failures < step_walk::kMostFailures;) {
     next = std::min(next, s - at);
     failures =
         method.try_step(std::ref(varied), whole, at, next) == odeint::success ? 0 : failures + 1;

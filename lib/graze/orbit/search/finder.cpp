@@ -186,8 +186,8 @@ class Finder {
 
   // Takes those sequences of two impacts out of the list that the closed form is for.
   void from_two_impacts(const PeriodicResponse& response, std::vector<std::vector<int>>& list) {
-    const auto first =
-        std::find_if(list.begin(), list.end(), [](const auto& stops) { return stops.size() == 2; });
+    const auto is_pair = [](const std::vector<int>& stops) { return stops.size() == 2; };
+    const auto first = std::find_if(list.begin(), list.end(), is_pair);
     if (first == list.end()) return;
     const TwoImpactsAnswer answer = two_impacts(response);
     if (!answer.form) {
@@ -195,11 +195,11 @@ class Finder {
       return;
     }
     const auto last = std::stable_partition(first, list.end(), [&](const auto& stops) {
-      return stops.size() == 2 && answer.form->holds(stops[0], stops[1]);
+      return is_pair(stops) && answer.form->holds(stops[0], stops[1]);
     });
     const std::vector<std::vector<int>> pairs(first, last);
     list.erase(first, last);
-    if (std::any_of(list.begin(), list.end(), [](const auto& stops) { return stops.size() == 2; }))
+    if (std::any_of(list.begin(), list.end(), is_pair))
       (options_.from_random ? found_.details : found_.notes)
           .push_back(
               "the closed form of two impacts does not hold on every pair of stops: restitution "

@@ -5,33 +5,17 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <utility>
 
+#include "graze/flow/stepped/detail/extrapolation.hpp"
 #include "graze/flow/stepped/detail/step_walk.hpp"
 
 namespace graze::step_walk {
 
 namespace odeint = boost::numeric::odeint;
-
-// A step that fails its error more often than this in a row will not succeed.
-inline constexpr int kMostFailures = 500;
-
-// Odeint begins a step with a look at the size of the last one, which before the first step has no
-// value. It gets one here, NaN, which no step has. That size is private: an explicit instantiation
-// may name it, and has a friend that sets it.
-using Extrapolation = odeint::bulirsch_stoer<Sprung::State>;
-void begin_steps(Extrapolation& method);
-template <double Extrapolation::*kLastStep>
-struct LastStep {
-  friend void begin_steps(Extrapolation& method) {
-    method.*kLastStep = std::numeric_limits<double>::quiet_NaN();
-  }
-};
-template struct LastStep<&Extrapolation::m_dt_last>;
 
 // Steps and orders that their error decides; what lies within a step is reached from its start, or
 // from what was asked before it last: a search that closes in on an instant takes ever shorter
@@ -45,10 +29,7 @@ class ExtrapolatedWalk {
       : rates(std::move(rates_of)),
         longest_(setting.longest),
         method_(made(setting)),
-        method_within_(made(setting)) {
-    begin_steps(method_);
-    begin_steps(method_within_);
-  }
+        method_within_(made(setting)) {}
 
   void begin(const State& x) {
     from_ = to_ = 0.0;
@@ -105,8 +86,8 @@ class ExtrapolatedWalk {
 
  private:
   static Extrapolation made(const StepSetting& setting) {
-    return Extrapolation(setting.tolerance * setting.speed, Sprung::relative(setting.tolerance),
-                         1.0, 0.0, std::isfinite(setting.longest) ? setting.longest : 0.0);
+    return extrapolation(setting.tolerance * setting.speed, Sprung::relative(setting.tolerance),
+                         std::isfinite(setting.longest) ? setting.longest : 0.0);
   }
 
   // A state within the step.
