@@ -1,6 +1,7 @@
 // Runs the program as a user would.
 #pragma once
 
+#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,10 +11,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "support/picture_texts.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace graze {
@@ -30,6 +33,15 @@ struct Finished {
   std::string out, err;
 };
 
+// The picture that a command has drawn, where it is one in SVG, can be read.
+inline void expect_readable_picture(const std::string& arguments) {
+  static const std::regex plot("(^| )(--plot|-p)[ =](\\S+\\.svg)( |$)");
+  std::smatch match;
+  if (!std::regex_search(arguments, match, plot)) return;
+  const std::string picture = read_text(match[3].str());
+  if (!picture.empty()) EXPECT_EQ(support::unreadable_texts(picture), "") << "graze " << arguments;
+}
+
 // Runs `graze ARGUMENTS` through the shell (quote what needs it), after `prefix`.
 inline Finished run_graze(const std::string& arguments, const std::string& prefix = "") {
   const ScratchFolder scratch;
@@ -37,6 +49,7 @@ inline Finished run_graze(const std::string& arguments, const std::string& prefi
   const std::string line =
       prefix + std::string(GRAZE_PROGRAM) + " " + arguments + " >" + out + " 2>" + err;
   const int status = std::system(line.c_str());
+  if (status == 0) expect_readable_picture(arguments);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_text(out),
           read_text(err)};
 }

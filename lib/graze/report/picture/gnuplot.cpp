@@ -142,18 +142,18 @@ std::string terminal(const PictureRequest& request, double proportion) {
     return fmt::format(
         "set terminal pngcairo enhanced font 'DejaVu Sans,11' fontscale {:.4g} linewidth {:.4g} "
         "pointscale {:.4g} dashlength 0.7 size {:.0f},{:.0f} background '#FFFFFF'\n"
-        "mark = 1\n",
+        "mark = 1\nlegend_line = 1\n",
         2.95 * size, 3.0 * heavy, 3.4 * heavy, 1360.0 * size, 1360.0 * size * proportion);
   if (extension == ".pdf")
     return fmt::format(
         "set terminal pdfcairo enhanced font 'DejaVu Sans,11' fontscale {:.4g} linewidth {:.4g} "
         "pointscale {:.4g} dashlength 0.7 size {:.4g}cm,{:.4g}cm background '#FFFFFF'\n"
-        "mark = 1\n",
+        "mark = 1\nlegend_line = 1\n",
         0.726 * size, 1.1 * heavy, 0.9 * heavy, sheet.centimetres, sheet.centimetres * proportion);
   return fmt::format(
       "set terminal svg enhanced font 'DejaVu Sans,11' fontscale {:.4g} linewidth {:.4g} "
       "dashlength 0.7 size {:.0f},{:.0f} background '#FFFFFF'\n"
-      "mark = {:.4g}\n",
+      "mark = {:.4g}\nlegend_line = 1.4\n",
       1.59 * size, 1.4 * heavy, 640.0 * size, 640.0 * size * proportion, 1.6 * heavy);
 }
 
@@ -264,7 +264,11 @@ std::string gnuplot_string(const std::string& text) {
   std::string quoted = "'";
   for (char c : text) {
     if (c == '\'') quoted += '\'';
-    quoted += c;
+    // Single quotes, in which gnuplot takes a backslash as it is, end with the line.
+    if (c == '\n')
+      quoted += "'.\"\\n\".'";
+    else
+      quoted += c;
   }
   return quoted + "'";
 }

@@ -19,7 +19,8 @@ constexpr double kHead = 0.36, kHertz = 1.55;    // above the axes, and with an 
 constexpr double kAxisText = 1.55;               // tics and name of a horizontal axis
 constexpr double kBetween = 0.4, kBeside = 1.3;  // two panels
 constexpr double kNamed = 2.6;                   // the same where both name their vertical axis
-constexpr double kLetter = 0.18;                 // of the name of a vertical axis
+constexpr double kLetter = 0.18;                 // of the name of an axis
+constexpr double kNameLine = 0.45;               // of the name of a horizontal axis
 constexpr double kHeading = 0.42;                // a line above a panel
 constexpr double kLegendLine = 0.37;             // of a legend at the foot
 constexpr double kMarkSpacing = 1.25;            // of its lines, relative, where they have marks
@@ -143,6 +144,42 @@ class ChartPicture {
     return std::any_of(panels.begin(), panels.end(),
                        [](const ChartPanel& panel) { return !panel.heading.empty(); });
   }
+
+  // Of one panel of a row, from the left.
+  struct Across {
+    double left, width, beside;
+  };
+  Across across(std::size_t row, std::size_t i) const {
+    const std::vector<ChartPanel>& panels = chart_.rows[row];
+    const auto count = static_cast<double>(panels.size());
+    const double beside = count > 1.0 && is_alike(panels[i].y, panels[1 - i].y) ? kBeside : kNamed;
+    const double width = (kWidth - kLeft - kRight - (count - 1.0) * beside) / count;
+    return {kLeft + static_cast<double>(i) * (width + beside), width, beside};
+  }
+
+  ShownAxis horizontal_axis(std::size_t row, std::size_t i) const {
+    const ChartAxis& axis = chart_.rows[row][i].x;
+    const std::vector<double> values = across_of(row, i);
+    return {request_of(axis, values, request_.x), axis.unit, values, axis.path.empty() ? 0.02 : 0.0,
+            axis.from_zero};
+  }
+
+  // In two lines where it would run into the name beside it.
+  std::string horizontal_name(std::size_t row, std::size_t i) const {
+    const std::string& name = chart_.rows[row][i].x.name;
+    if (chart_.rows[row].size() == 1) return name;
+    const Across place = across(row, i);
+    return in_two_lines(name, letters_within(place.width + std::min(place.beside, kBeside),
+                                             horizontal_axis(row, i).unit()));
+  }
+
+  // Tics and names below a row.
+  double axis_text(std::size_t row) const {
+    for (std::size_t i = 0; i < chart_.rows[row].size(); ++i)
+      if (horizontal_name(row, i).find('\n') != std::string::npos) return kAxisText + kNameLine;
+    return kAxisText;
+  }
+
   // From the foot of the panels above to the head of these.
   double above(std::size_t row) const {
     const double heading = has_heading(row) ? kHeading : 0.0;
@@ -151,20 +188,20 @@ class ChartPicture {
              (has_hertz_axis(chart_.rows.front().front().x.path, chart_.rows.front().front().x.unit)
                   ? kHertz
                   : kHead);
-    return heading + kBetween + (shares_below(row - 1) ? 0.0 : kAxisText);
+    return heading + kBetween + (shares_below(row - 1) ? 0.0 : axis_text(row - 1));
   }
 
   void lay_out() {
-    total_ = kAxisText;
+    total_ = axis_text(chart_.rows.size() - 1);
     for (std::size_t row = 0; row < chart_.rows.size(); ++row)
       total_ += above(row) + chart_.rows[row].front().height;
     const std::size_t lines = legend_.empty() ? 0 : (legend_.size() + columns_ - 1) / columns_;
     total_ += spacing_ * kLegendLine * static_cast<double>(lines) + 0.1;
   }
 
-  // That a name may have beside its unit, as long as the panel is high.
-  static std::size_t letters_of(const ChartPanel& panel, const std::string& unit) {
-    const auto letters = static_cast<std::size_t>(panel.height / kLetter);
+  // That a name may have beside its unit along so many centimetres.
+  static std::size_t letters_within(double length, const std::string& unit) {
+    const auto letters = static_cast<std::size_t>(length / kLetter);
     return letters - std::min(letters, unit.empty() ? 0 : unit.size() + 3);
   }
 
@@ -184,15 +221,10 @@ class ChartPicture {
   void draw(std::size_t row, std::size_t i, double top) {
     const std::vector<ChartPanel>& panels = chart_.rows[row];
     const ChartPanel& panel = panels[i];
-    const auto count = static_cast<double>(panels.size());
-    const double beside = count > 1.0 && is_alike(panel.y, panels[1 - i].y) ? kBeside : kNamed;
-    const double width = (kWidth - kLeft - kRight - (count - 1.0) * beside) / count;
-    const double left = kLeft + static_cast<double>(i) * (width + beside);
-    const std::vector<double> across = across_of(row, i);
+    const auto [left, width, beside] = across(row, i);
     const std::vector<double> up = values_of(panel, &ChartSeries::y, true);
     const bool is_first = row == 0 && i == 0;
-    const ShownAxis x(request_of(panel.x, across, request_.x), panel.x.unit, across,
-                      panel.x.path.empty() ? 0.02 : 0.0, panel.x.from_zero);
+    const ShownAxis x = horizontal_axis(row, i);
     const ShownAxis y(request_of(panel.y, up, is_first ? request_.y : AxisRequest{}), panel.y.unit,
                       up, 0.06, panel.y.from_zero);
     script_.command("unset label\nunset arrow\nunset object\nunset key");
@@ -200,19 +232,19 @@ class ChartPicture {
                           .right = 1.0 - (left + width) / kWidth,
                           .bottom = 1.0 - (top + panel.height) / total_,
                           .top = top / total_});
-    set_horizontal(panel, x, row, panels.size());
+    set_horizontal(x, row, i);
     y.set_vertical(script_, panel.height < 2.0 ? 3 : 6);
     if (i == 0 || !is_alike(panel.y, panels[i - 1].y)) {
-      const std::string name = in_two_lines(panel.y.name, letters_of(panel, y.unit()));
-      const double from_axis = name.find('\n') == std::string::npos ? 1.9 : 2.4;
+      const std::string name = in_two_lines(panel.y.name, letters_within(panel.height, y.unit()));
+      const double from_axis = name.find('\n') == std::string::npos ? 1.9 : 2.34;
       name_vertical_axis(script_, name, y.unit(), (left - from_axis) / kWidth);
     }
     draw_ground(panel, x, y);
     plot(row, i, x, y);
   }
 
-  void set_horizontal(const ChartPanel& panel, const ShownAxis& x, std::size_t row,
-                      std::size_t count) {
+  void set_horizontal(const ShownAxis& x, std::size_t row, std::size_t i) {
+    const ChartPanel& panel = chart_.rows[row][i];
     const bool below = !shares_below(row);
     if (!panel.x.path.empty()) {
       set_parameter_axis(script_, panel.x.path, x.range(), x.unit(),
@@ -220,9 +252,10 @@ class ChartPicture {
       return;
     }
     script_.command("set border 3\nunset x2tics\nunset x2label");
-    x.set_horizontal(script_, count == 1 ? 7 : 4);
+    x.set_horizontal(script_, chart_.rows[row].size() == 1 ? 7 : 4);
     if (!below) script_.command("set format x ''");
-    script_.command(below ? "set xlabel " + axis_label(panel.x.name, x.unit()) : "unset xlabel");
+    script_.command(below ? "set xlabel " + axis_label(horizontal_name(row, i), x.unit())
+                          : "unset xlabel");
   }
 
   void draw_ground(const ChartPanel& panel, const ShownAxis& x, const ShownAxis& y) {
@@ -281,7 +314,7 @@ class ChartPicture {
     set_margins(script_, {.left = kLeft / kWidth, .right = kRight / kWidth, .bottom = 0, .top = 0});
     script_.command(
         fmt::format("set key at screen {:.4g}, screen {:.4g}*body center bottom horizontal maxcols "
-                    "{} Left reverse samplen 2 spacing {:.4g} font ',8'",
+                    "{} Left reverse samplen 2 spacing {:.4g}*legend_line font ',8'",
                     0.5 * (kWidth + kLeft - kRight) / kWidth, 0.08 / total_, columns_, spacing_));
     script_.plot(legend_);
   }
