@@ -216,6 +216,30 @@ TEST(TwoImpacts, OfAStructureThatMirrorsItselfAreAllThere) {
   }
 }
 
+// A solution of the equations in which a flight goes backwards is a motion through no impacts
+// (found by experiment: between the two impacts lie 6.475 and -.192 rad, and the sum of the
+// responses to both misses the second stop by 3 %).
+TEST(TwoImpacts, OfASearchComeInTheirOrderToo) {
+  const Mirrored its{Vector{{1.7438, 0.5644}},
+                     Vector{{0.05, 0.1}},
+                     -0.321,
+                     2.5429,
+                     Vector{{-0.729, -0.535}},
+                     0.1,
+                     0.3,
+                     1};
+  FinderOptions options;
+  options.impacts = 2;
+  options.from_simulation = options.from_closed_form = false;
+  options.keep_virtual = true;
+  const FoundOrbits found = find_orbits(structure_of(its), {}, options);
+  EXPECT_GE(found.orbits.size(), 4u);
+  for (const Orbit& orbit : found.orbits) {
+    const double between = orbit.points()[1].theta - orbit.points()[0].theta;
+    EXPECT_TRUE(between > 0.0 && between < kTurn) << between;
+  }
+}
+
 TEST(TwoImpacts, AreLeftToTheSearchWhereRestitutionDependsOnSpeedOrNothingIsLost) {
   System lossless = support::forced_oscillator(1.0, 0.0, 0.5, 1.0, 2.3, 1.0);
   const PeriodicResponseAnswer response = periodic_response(lossless, 1);

@@ -71,6 +71,13 @@ std::vector<ImpactPoint> Orbit::points() const {
   return result;
 }
 
+bool Orbit::in_order() const {
+  const std::vector<ImpactPoint> met = points();
+  for (std::size_t i = 1; i < met.size(); ++i)
+    if (met[i].theta < met[i - 1].theta) return false;
+  return met.empty() || met.back().theta <= met.front().theta + kTurn * period;
+}
+
 const OrbitImpact& leading_impact(const Orbit& orbit) {
   if (!orbit.sticks()) return orbit.impacts.front();
   return *std::max_element(

@@ -79,6 +79,9 @@ struct Orbit {
   // For the shooting equations, which know of no sticking and no compliant stops.
   ImpactPattern pattern() const;
   std::vector<ImpactPoint> points() const;
+  // Whether each impact comes after the one before it, and the first again after the last. The
+  // equations also have solutions with flights that go backwards: motions through no impacts.
+  bool in_order() const;
 };
 
 // The impact that stands for the orbit in a picture: the first; where the orbit sticks, and has

@@ -317,6 +317,7 @@ class Finder {
   }
 
   void keep(const Orbit& orbit) {
+    if (!orbit.in_order()) return;
     for (Orbit& known : found_.orbits)
       if (same_orbit(known, orbit, speed_scale())) {
         if (orbit.residual < known.residual) known = orbit;
