@@ -133,7 +133,8 @@ Sheet sheet_of(PictureStyle style) {
   return style == PictureStyle::kSlide ? Sheet{24.0, 1.5} : Sheet{};
 }
 
-// Points in units of `mark` look alike, too.
+// Points in units of `mark` look alike, too. In SVG gnuplot sets distances by the nominal size of
+// the font, which therefore grows with the picture.
 std::string terminal(const PictureRequest& request, double proportion) {
   const std::string extension = std::filesystem::path(request.file).extension().string();
   const Sheet sheet = sheet_of(request.style);
@@ -142,19 +143,20 @@ std::string terminal(const PictureRequest& request, double proportion) {
     return fmt::format(
         "set terminal pngcairo enhanced font 'DejaVu Sans,11' fontscale {:.4g} linewidth {:.4g} "
         "pointscale {:.4g} dashlength 0.7 size {:.0f},{:.0f} background '#FFFFFF'\n"
-        "mark = 1\nlegend_line = 1\n",
+        "mark = 1\nlegend_line = 1\nsmall = ',8'\nmedium = ',9'\n",
         2.95 * size, 3.0 * heavy, 3.4 * heavy, 1360.0 * size, 1360.0 * size * proportion);
   if (extension == ".pdf")
     return fmt::format(
         "set terminal pdfcairo enhanced font 'DejaVu Sans,11' fontscale {:.4g} linewidth {:.4g} "
         "pointscale {:.4g} dashlength 0.7 size {:.4g}cm,{:.4g}cm background '#FFFFFF'\n"
-        "mark = 1\nlegend_line = 1\n",
+        "mark = 1\nlegend_line = 1\nsmall = ',8'\nmedium = ',9'\n",
         0.726 * size, 1.1 * heavy, 0.9 * heavy, sheet.centimetres, sheet.centimetres * proportion);
   return fmt::format(
-      "set terminal svg enhanced font 'DejaVu Sans,11' fontscale {:.4g} linewidth {:.4g} "
+      "set terminal svg enhanced font 'DejaVu Sans,{:.4g}' fontscale 1.59 linewidth {:.4g} "
       "dashlength 0.7 size {:.0f},{:.0f} background '#FFFFFF'\n"
-      "mark = {:.4g}\nlegend_line = 1.4\n",
-      1.59 * size, 1.4 * heavy, 640.0 * size, 640.0 * size * proportion, 1.6 * heavy);
+      "mark = {:.4g}\nlegend_line = 1.4\nsmall = ',{:.4g}'\nmedium = ',{:.4g}'\n",
+      11.0 * size, 1.4 * heavy, 640.0 * size, 640.0 * size * proportion, 1.6 * sheet.weight,
+      8.0 * size, 9.0 * size);
 }
 
 // Of the picture's width, for each line of the title at the head.
@@ -244,7 +246,7 @@ void GnuplotScript::plot(const std::vector<std::string>& layers) {
   has_caption_ = true;
   // A tag of its own, so that it goes before the next panel.
   if (first)
-    text_ += "set label 99 caption at screen 0.02, screen 1 offset 0, -0.8 left font ',8'\n";
+    text_ += "set label 99 caption at screen 0.02, screen 1 offset 0, -0.8 left font small\n";
   text_ += "plot ";
   for (const std::string& layer : layers) {
     if (!layer.starts_with('$')) {

@@ -28,9 +28,9 @@ class PlotTable {
 
 // A gnuplot script in the making, all but its terminal and output, and its data, which stand in a
 // file of their own. Point sizes in units of the variable `mark`, which comes with the terminal,
-// look the same in every file format, and so do spacings of a legend in units of `legend_line`.
-// Heights on the screen are in units of the variable `body`, above which the picture's caption
-// stands.
+// look the same in every file format, and so do spacings of a legend in units of `legend_line`
+// and the fonts `small` and `medium` of 8 and 9 points. Heights on the screen are in units of the
+// variable `body`, above which the picture's caption stands.
 class GnuplotScript {
  public:
   void command(const std::string& line);

@@ -144,7 +144,7 @@ void LabelRoom::put(GnuplotScript& script, const std::string& text, const Found&
   }
   if (is_on_ground_)
     script.command("set style textbox opaque margins 0.3,0.3 fillcolor rgb '#FFFFFF' noborder");
-  script.command(fmt::format("set label {} at graph {:.5f}, graph {:.5f} center front font ',8'{}",
+  script.command(fmt::format("set label {} at graph {:.5f}, graph {:.5f} center front font small{}",
                              gnuplot_string(text), x / width_, y / height_,
                              is_on_ground_ ? " boxed" : ""));
   // A letter's room to the next label beside it.

@@ -283,7 +283,7 @@ class ChartPicture {
           "rgb '{1}'",
           y.of(level), kGrey));
     if (!panel.heading.empty())
-      script_.command(fmt::format("set label {} at graph 0, graph {:.4g} left font ',9'",
+      script_.command(fmt::format("set label {} at graph 0, graph {:.4g} left font medium",
                                   gnuplot_string(panel.heading),
                                   1.0 + 0.5 * kHeading / panel.height));
     if (!panel.remark.empty())
@@ -314,7 +314,7 @@ class ChartPicture {
     set_margins(script_, {.left = kLeft / kWidth, .right = kRight / kWidth, .bottom = 0, .top = 0});
     script_.command(
         fmt::format("set key at screen {:.4g}, screen {:.4g}*body center bottom horizontal maxcols "
-                    "{} Left reverse samplen 2 spacing {:.4g}*legend_line font ',8'",
+                    "{} Left reverse samplen 2 spacing {:.4g}*legend_line font small",
                     0.5 * (kWidth + kLeft - kRight) / kWidth, 0.08 / total_, columns_, spacing_));
     script_.plot(legend_);
   }

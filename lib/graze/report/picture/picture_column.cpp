@@ -98,17 +98,17 @@ void PanelColumn::name_vertical(const std::string& name, const std::string& unit
 void PanelColumn::set_legend() {
   script_.command(fmt::format(
       "set key at screen {:.4g}, screen {:.4g}*body right center horizontal Left reverse "
-      "samplen 1.5 font ',8'",
+      "samplen 1.5 font small",
       1.0 - right_ / kWidth, 1.0 - 0.5 * kLegend / total_));
 }
 
 void PanelColumn::remark(const std::string& text) {
-  script_.command(fmt::format("set label {} at screen {:.4g}, screen {:.4g}*body left font ',9'",
+  script_.command(fmt::format("set label {} at screen {:.4g}, screen {:.4g}*body left font medium",
                               gnuplot_string(text), kNamePlace, 1.0 - 0.5 * kLegend / total_));
 }
 
 void PanelColumn::note(const std::string& text) {
-  script_.command(fmt::format("set label {} at graph 0.01, graph {:.4g} left font ',9'",
+  script_.command(fmt::format("set label {} at graph 0.01, graph {:.4g} left font medium",
                               gnuplot_string(text), 1.0 + 0.4 * kBetween / height_));
 }
 

@@ -78,7 +78,7 @@ void label_curves(GnuplotScript& script, std::vector<CurveLabel> labels, const A
   const double room = std::max(1.0 - spacing * static_cast<double>(labels.size() - 1), 0.0);
   for (std::size_t i = 0; i < labels.size(); ++i)
     script.command(fmt::format(
-        "set label {} at graph 1.015, graph {:.5g} left font ',9' textcolor rgb '{}'",
+        "set label {} at graph 1.015, graph {:.5g} left font medium textcolor rgb '{}'",
         gnuplot_string(labels[i].text),
         std::clamp(places[i], 0.0, room) + spacing * static_cast<double>(i), labels[i].colour));
 }

@@ -253,7 +253,7 @@ void RegionTints::label(GnuplotScript& script, LabelRoom& room_for_words) const 
       const double above = 0.5 * static_cast<double>(lines.size() - 1) - static_cast<double>(k);
       script.command(
           fmt::format("set label {} at {:.9g}, {:.9g} center offset 0, {:.3g} front "
-                      "font ',9'",
+                      "font medium",
                       gnuplot_string(lines[k]), x(room->column), y(room->row), above));
     }
   }

@@ -67,8 +67,8 @@ void StopMarks::draw(GnuplotScript& script, const AxisRange& range, double spaci
     taken += kNameRoom;
     const AxisUnit unit = axis_unit(unit_in(units_, "m"), std::abs(stop.place));
     script.command(fmt::format(
-        "set label '{} at {}{:.4g} {} {}' at graph 0.99, graph {:.4g} right font ',9'", name(stop),
-        stop.place < 0.0 ? "−" : "", unit.factor * std::abs(stop.place), unit.unit,
+        "set label '{} at {}{:.4g} {} {}' at graph 0.99, graph {:.4g} right font medium",
+        name(stop), stop.place < 0.0 ? "−" : "", unit.factor * std::abs(stop.place), unit.unit,
         stop.sense > 0.0 ? "↑" : "↓", stop.sense > 0.0 ? 1.0 - height : height));
   }
 }

@@ -75,7 +75,7 @@ double legend_height(std::size_t entries, std::size_t columns) {
 void set_legend(GnuplotScript& script, const Margins& margins, std::size_t columns) {
   script.command(
       fmt::format("set key at screen {:.4g}, screen 0.01*body center bottom horizontal "
-                  "maxcols {} Left reverse samplen 2 font ',8'",
+                  "maxcols {} Left reverse samplen 2 spacing legend_line font small",
                   0.5 * (1.0 + margins.left - margins.right), columns));
 }
 
