@@ -145,8 +145,9 @@ TEST_F(PictureOptions, LabelsCoverNoMarkAndNoOtherLabel) {
 TEST_F(PictureOptions, ASlideIsTwiceAsLargeWithHeavierLines) {
   const std::string paper = script("continue " + kOneMode);
   const std::string slide = script("continue " + kOneMode + "--style slide");
-  EXPECT_NE(paper.find("fontscale 1.59 linewidth 1.4 dashlength 0.7 size 640,"), std::string::npos);
-  EXPECT_NE(slide.find("fontscale 3.18 linewidth 4.2 dashlength 0.7 size 1280,"),
+  EXPECT_NE(paper.find("Sans,11' fontscale 1.59 linewidth 1.4 dashlength 0.7 size 640,"),
+            std::string::npos);
+  EXPECT_NE(slide.find("Sans,22' fontscale 1.59 linewidth 4.2 dashlength 0.7 size 1280,"),
             std::string::npos);
 }
 

@@ -358,7 +358,8 @@ void draw_picture(const PictureRequest& request, const RunInfo& info, const Gnup
   write_file(data.path(), script.data_text());
   write_file(dots.path(), layer.script.data_text());
   const auto pixels = [&](const std::string& data_file) {
-    return pixel_terminal(layer) + "body = 1\ncaption = ''\n" + data_line(data_file);
+    return pixel_terminal(layer) + "body = 1\ncaption = ''\nsmall = ''\nmedium = ''\n" +
+           data_line(data_file);
   };
   write_file(scratch.path(), drawn(request.file, pixels(dots.path()) + layer.script.text()));
   const std::string picture =
