@@ -207,7 +207,7 @@ def check_kills():
 def check_endings():
     """Exit codes are the program's, and what is wrong is told once."""
     cases = [
-        (["map", BEAM, *FREQUENCY], 2, b"--second"),
+        (["map", BEAM, *FREQUENCY], 2, b"--second NAME"),
         (["map", BEAM, *FREQUENCY, *GAP, "--plot", "x.bad"], 2, b"x.bad"),
         (["diagram", "no_such.toml", *FREQUENCY], 4, b"no_such.toml"),
         (["simulate", BEAM], 2, b"no blocks for 3 ranks to share"),
