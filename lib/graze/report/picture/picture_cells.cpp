@@ -17,6 +17,9 @@ namespace {
 constexpr double kHeight = 0.75;  // of the picture over its width, without a legend
 // Cells without a number because their motions meet no stop.
 constexpr std::array kClear = {"clear of the stops", "both clear"};
+// Of an SVG, as rectangles: 1 MB. Browsers smooth an image, which mixes the colours of large cells
+// to those of others; of more cells most are smaller than a hundredth of the plane.
+constexpr std::size_t kMostRectangles = 10'000;
 // Columns of the legend, of names that are short and of others.
 constexpr std::size_t kColumns = 3, kColumnsOfLong = 2, kLong = 14;
 
@@ -121,7 +124,9 @@ class CellPicture {
 
   // Cells, loci over them, and what else there is.
   void plot(std::vector<std::string> others) {
-    std::vector<std::string> layers = {"$cells using 1:2:3:4:5 with rgbimage notitle"};
+    const bool rectangles = request_.file.ends_with(".svg") && plane_.cells() <= kMostRectangles;
+    std::vector<std::string> layers = {
+        fmt::format("$cells using 1:2:3:4:5 with rgbimage {}notitle", rectangles ? "pixels " : "")};
     for (const auto* more : {&loci_drawn_.curves, &others, &legend_})
       layers.insert(layers.end(), more->begin(), more->end());
     script_.plot(layers);
