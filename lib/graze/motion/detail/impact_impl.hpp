@@ -59,11 +59,11 @@ const std::vector<ImpactShare<Real>>& Motion<Real>::impact() {
   }
   Touched touched = touched_stops();
   Jump jump = jump_of(touched);
-  if (drives_back(touched, jump) && comes_to_rest(touched)) {
+  if (drives_back(touched, jump)) {
     const std::optional<RealVector<Real>> solved =
         solve_contacts(touched.acting, touched.speed, touched.rounding);
     // Who comes to rest by impacts without end is held there by all of them.
-    if (solved && (solved->array() > 0).count() > 1)
+    if (solved && (solved->array() > 0).count() > 1 && comes_to_rest(touched))
       jump = {RealVector<Real>::Zero(touched.speed.size()), *solved};
   }
   apply(touched.stops, jump.target, jump.impulse);
