@@ -288,7 +288,8 @@ FollowedAnswer followed_orbit(const System& system, const State& at_period_start
   if (system.has_rigid_stop()) {
     const TrajectorySegment first = pass(system, start, {period, 0.0}, options);
     if (!first.failure.empty()) return {{}, first.failure};
-    if (!first.sticking.empty() || !system.has_compliant_stop())
+    const bool meets_some = !first.impacts.empty() || system.has_compliant_stop();
+    if (!first.sticking.empty() || !meets_some)
       return stuck_orbit(system, start, first, period, options);
   }
   const SegmentShooting shooting(system, SegmentLayout::fixed_phase(period), options);

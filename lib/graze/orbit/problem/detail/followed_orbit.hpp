@@ -1,5 +1,5 @@
 // Periodic orbits whose motion is followed from section to section (segment_shooting.hpp): those
-// that stick, or close a chatter, and those on compliant stops.
+// that stick, or close a chatter, those on compliant stops, and those of very many impacts.
 //
 // The motion is certified event by event, so that a solution is admissible: gaps are clear between
 // events, contact forces push while stuck. Where stops are closed the section lies within a stuck
@@ -26,7 +26,7 @@ struct FollowedAnswer {
 };
 
 // The orbit near the motion that starts at `at_period_start` (t = 0) and repeats after `period`
-// forcing periods; on rigid stops alone one that sticks. Requires forcing. The guess has to lie
+// forcing periods. Requires forcing. The guess has to lie
 // where Newton's method converges; a simulated motion that repeats to 1e-6 does.
 FollowedAnswer followed_orbit(const System& system, const State& at_period_start, int period,
                               const SegmentOptions& options);
