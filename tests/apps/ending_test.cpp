@@ -66,6 +66,24 @@ TEST(Program, EveryCommandEndsWhenAsked) {
   }
 }
 
+// Of commands that end by themselves any moment is one to end at: what was being found stays found,
+// or is let go.
+TEST(Program, AnyMomentIsOneToEndAt) {
+  const std::string slow = kOscillator + " --parameter forcing.frequency --from 0.4 --to 1.2";
+  const std::string gaps = " --second stop.gap --second-from 1e-3 --second-to 0.5 ";
+  for (const std::string& command :
+       {"continue --locus all --slices 2" + gaps + slow,
+        "continue --regions 8 --locus all --slices 0" + gaps + slow,
+        "continue --set stop.restitution=0 " + slow, "orbit --impacts any " + kOscillator,
+        "diagram --points 20 --exponents 50 " + slow,
+        "map --points 8 --second-points 6 --locus all" + gaps + slow})
+    for (const char* seconds : {"0.02", "0.05", "0.1", "0.15", "0.2", "0.3", "0.5"}) {
+      const Finished run = run_graze(command + " --max-seconds " + seconds, kUntilItHangs);
+      EXPECT_TRUE(run.code == 0 || run.code == 3)
+          << command << " after " << seconds << " s: " << run.code << " " << run.err;
+    }
+}
+
 // 2,000 stops along one oscillator, the orbits of each to be sought by itself.
 std::string many_stops(int count) {
   std::string text =

@@ -95,7 +95,7 @@ void TableReader::check_keys() const {
               for (const std::string other : {"string", "bar"})
                 if (name.starts_with(other + ".") && !path_.starts_with(other)) return true;
               return !path_.empty() && dot != std::string::npos && name.find('.') != dot &&
-                     name.compare(0, path_.size() + 1, path_ + ".") != 0;
+                     !name.starts_with(without_number(path_) + ".");
             }),
         meant.end());
     if (const std::string close = closest_name(member.key, keys.allowed);

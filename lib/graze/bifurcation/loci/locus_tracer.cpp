@@ -70,14 +70,17 @@ LocusAnswer LocusTracer::trace(const OrbitLocusStart& start) {
   return is_along(start.kind) ? trace_along(start) : trace_critical(start);
 }
 
+// Once the search is to end, no motion is followed, and a start that was one is none any more.
 void LocusTracer::know(const OrbitLocusStart& start, LocusAnswer answer) {
   if (answer.critical) {
     const std::vector<Written> list = written(start);
+    if (list.empty()) return;
     Critical& critical = critical_of(*list.front().orbits);
     critical.traced[start.kind].add((*list.front().orbits)->problem(),
                                     options_for(*critical.orbits), *answer.critical);
   } else if (!answer.curve.empty()) {
     const CurveStart at = curve_at(start);
+    if (!at.curves) return;
     const LocusOptions options = options_along(*at.curves->curve);
     const PlaneCurveProblem& problem = at.curves->curve->problem();
     const ContinuationOptions along = branch_options(problem, options);
