@@ -90,11 +90,12 @@ void expect_all_of_the_grid(const System& system, int period, const std::string&
         EXPECT_FALSE(
             has({all.begin() + static_cast<std::ptrdiff_t>(i) + 1, all.end()}, all[i], scale.speed))
             << which << ": twice";
-      for (const PhaseSolution& solution : on_a_grid(problem, scale))
-        if (!is_at_once(solution, period))
-          EXPECT_TRUE(has(all, solution, scale.speed))
-              << which << ", stops " << first << " " << second << ": missed "
-              << solution.phases.transpose();
+      for (const PhaseSolution& solution : on_a_grid(problem, scale)) {
+        if (is_at_once(solution, period)) continue;
+        EXPECT_TRUE(has(all, solution, scale.speed))
+            << which << ", stops " << first << " " << second << ": missed "
+            << solution.phases.transpose();
+      }
     }
 }
 
