@@ -14,10 +14,6 @@
 namespace graze {
 namespace {
 
-State at_rest(const System& system) {
-  return {Vector::Zero(system.modes()), Vector::Zero(system.modes())};
-}
-
 // Slowly forced and without a loss at the stop, it bounces there until the force has turned: the
 // more often, the slower.
 System bouncing(int modes, double frequency, double gap) {
@@ -42,12 +38,12 @@ TEST(ManyImpacts, AFollowedOrbitIsThatOfTheShootingEquations) {
       for (const double gap : {0.1, 0.5}) {
         SCOPED_TRACE(testing::Message() << modes << " modes, " << frequency << ", gap " << gap);
         const System system = bouncing(modes, frequency, gap);
-        const SettledMotion settled = settle(system, at_rest(system), {});
+        const SettledMotion settled = settle(system, support::rest(system), {});
         if (!settled.pattern) continue;
         const auto solved = orbit_near(system, *settled.pattern, settled.points);
         const auto followed =
             followed_orbit(system, settled.at_start, settled.period,
-                           {default_closure_speed(system, at_rest(system)), 10'000, {}});
+                           {default_closure_speed(system, support::rest(system)), 10'000, {}});
         ASSERT_TRUE(solved);
         ASSERT_TRUE(followed.orbit) << followed.why_not;
         ++orbits;
@@ -64,11 +60,11 @@ TEST(ManyImpacts, AFollowedOrbitIsThatOfTheShootingEquations) {
 TEST(ManyImpacts, OfManyModesAreAnOrbit) {
   const System system = bouncing(32, 0.8, 0.1);
   const auto begin = std::chrono::steady_clock::now();
-  const SettledMotion settled = settle(system, at_rest(system), {});
+  const SettledMotion settled = settle(system, support::rest(system), {});
   ASSERT_TRUE(settled.pattern) << settled.classification;
   EXPECT_GT(settled.pattern->impacts(), 200);
-  const FollowedAnswer answer =
-      orbit_near(system, settled, {default_closure_speed(system, at_rest(system)), 10'000, {}});
+  const FollowedAnswer answer = orbit_near(
+      system, settled, {default_closure_speed(system, support::rest(system)), 10'000, {}});
   ASSERT_TRUE(answer.orbit) << answer.why_not;
   EXPECT_EQ(static_cast<int>(answer.orbit->impacts.size()), settled.pattern->impacts());
   EXPECT_TRUE(answer.orbit->admissible);

@@ -157,20 +157,13 @@ class ChartPicture {
     return {kLeft + static_cast<double>(i) * (width + beside), width, beside};
   }
 
-  ShownAxis horizontal_axis(std::size_t row, std::size_t i) const {
-    const ChartAxis& axis = chart_.rows[row][i].x;
-    const std::vector<double> values = across_of(row, i);
-    return {request_of(axis, values, request_.x), axis.unit, values, axis.path.empty() ? 0.02 : 0.0,
-            axis.from_zero};
-  }
-
   // In two lines where it would run into the name beside it.
   std::string horizontal_name(std::size_t row, std::size_t i) const {
-    const std::string& name = chart_.rows[row][i].x.name;
-    if (chart_.rows[row].size() == 1) return name;
+    const ChartAxis& axis = chart_.rows[row][i].x;
+    if (chart_.rows[row].size() == 1) return axis.name;
     const Across place = across(row, i);
-    return in_two_lines(name, letters_within(place.width + std::min(place.beside, kBeside),
-                                             horizontal_axis(row, i).unit()));
+    return in_two_lines(axis.name,
+                        letters_within(place.width + std::min(place.beside, kBeside), axis.unit));
   }
 
   // Tics and names below a row.
@@ -222,9 +215,11 @@ class ChartPicture {
     const std::vector<ChartPanel>& panels = chart_.rows[row];
     const ChartPanel& panel = panels[i];
     const auto [left, width, beside] = across(row, i);
+    const std::vector<double> along = across_of(row, i);
     const std::vector<double> up = values_of(panel, &ChartSeries::y, true);
     const bool is_first = row == 0 && i == 0;
-    const ShownAxis x = horizontal_axis(row, i);
+    const ShownAxis x(request_of(panel.x, along, request_.x), panel.x.unit, along,
+                      panel.x.path.empty() ? 0.02 : 0.0, panel.x.from_zero);
     const ShownAxis y(request_of(panel.y, up, is_first ? request_.y : AxisRequest{}), panel.y.unit,
                       up, 0.06, panel.y.from_zero);
     script_.command("unset label\nunset arrow\nunset object\nunset key");

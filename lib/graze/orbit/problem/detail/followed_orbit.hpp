@@ -26,8 +26,8 @@ struct FollowedAnswer {
 };
 
 // The orbit near the motion that starts at `at_period_start` (t = 0) and repeats after `period`
-// forcing periods. Requires forcing. The guess has to lie
-// where Newton's method converges; a simulated motion that repeats to 1e-6 does.
+// forcing periods. Requires forcing. The guess has to lie where Newton's method converges; a
+// simulated motion that repeats to 1e-6 does.
 FollowedAnswer followed_orbit(const System& system, const State& at_period_start, int period,
                               const SegmentOptions& options);
 
