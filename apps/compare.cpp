@@ -21,7 +21,7 @@
 namespace graze {
 namespace {
 
-constexpr double kPictureSamplesPerPeriod = 400.0;
+constexpr double kComparedSamplesPerPeriod = 400.0;
 // A cell takes a tenth of a second and more, and half a kilobyte.
 constexpr double kMostCells = 4e6;
 constexpr double kPeriodsRun = 50.0, kPeriodsShown = 4.0;
@@ -113,7 +113,7 @@ SimulationRecord shown_run(const CompareCommand& command, const Scene& scene,
   listeners.sample = [&](const Sample& sample) {
     if (sample.time >= from) record.samples.push_back(sample);
   };
-  listeners.sample_rate = kPictureSamplesPerPeriod / period;
+  listeners.sample_rate = kComparedSamplesPerPeriod / period;
   record.run = simulate(record.system, initial_state(scene, record.system), options, listeners);
   return record;
 }

@@ -6,7 +6,7 @@
 namespace graze {
 namespace {
 
-constexpr const char* kFunctions =
+constexpr const char* kBashFunctions =
     R"sh(# Completion of graze for bash, made from the program's own options.
 
 # The parameters of the scene on the line, each with this behind it.
@@ -105,7 +105,7 @@ std::string bash_completion(const Commands& commands) {
       files += fmt::format("    {}) _graze_value \"$current\" {} ;;\n", command.name,
                            file_value(command, all));
   }
-  std::string text = kFunctions;
+  std::string text = kBashFunctions;
   text += R"sh(_graze() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} command=${COMP_WORDS[1]}
   local options=

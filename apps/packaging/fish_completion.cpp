@@ -6,7 +6,7 @@
 namespace graze {
 namespace {
 
-constexpr const char* kFunctions =
+constexpr const char* kFishFunctions =
     R"sh(# Completion of graze for fish, made from the program's own options.
 
 # The parameters of the scene on the line, each with this behind it.
@@ -24,7 +24,7 @@ complete -c graze -n __fish_use_subcommand -s h -l help -d 'Print the help'
 complete -c graze -n __fish_use_subcommand -l version -d 'Print the version'
 )sh";
 
-std::string quoted(const std::string& text) {
+std::string fish_quoted(const std::string& text) {
   std::string made;
   for (const char c : text) {
     if (c == '\'' || c == '\\') made += '\\';
@@ -62,10 +62,10 @@ std::string fish_completion(const Commands& commands) {
   std::vector<std::string> names;
   for (const auto& command : commands) names.push_back(command.name);
   const std::string all = fmt::format("{}", fmt::join(names, " "));
-  std::string text = kFunctions;
+  std::string text = kFishFunctions;
   for (const auto& command : commands)
     text += fmt::format("complete -c graze -n __fish_use_subcommand -a {} -d {}\n", command.name,
-                        quoted(in_brief(command.what)));
+                        fish_quoted(in_brief(command.what)));
   for (const auto& command : commands) {
     const std::string of =
         fmt::format("complete -c graze -n '__fish_seen_subcommand_from {}'", command.name);
@@ -77,7 +77,7 @@ std::string fish_completion(const Commands& commands) {
                           option.is_flag                           ? ""
                           : value_kind(option) == ValueKind::kFile ? " -r" + values(option, all)
                                                                    : " -x" + values(option, all),
-                          quoted(in_brief(option.what)));
+                          fish_quoted(in_brief(option.what)));
   }
   return text;
 }

@@ -6,7 +6,7 @@
 namespace graze {
 namespace {
 
-constexpr const char* kFunctions = R"sh(#compdef graze
+constexpr const char* kZshFunctions = R"sh(#compdef graze
 # Completion of graze for zsh, made from the program's own options.
 
 # The parameters of the scene on the line, with what stands behind a name.
@@ -24,7 +24,7 @@ _graze_settings() { _graze_parameters -S = }
 
 )sh";
 
-std::string quoted(const std::string& text) {
+std::string zsh_quoted(const std::string& text) {
   std::string made;
   for (const char c : text) {
     if (c == '\'') made += "'\\'";
@@ -58,12 +58,12 @@ std::string action(const CommandReader::Option& option) {
 
 // A specification of _arguments for each name of an option.
 std::string specifications(const CommandReader::Option& option) {
-  const std::string what = quoted(in_brief(option.what));
+  const std::string what = zsh_quoted(in_brief(option.what));
   const std::string value =
       option.is_flag
           ? ""
           : fmt::format(":{}:{}",
-                        quoted(option.placeholder.empty() ? option.name : option.placeholder),
+                        zsh_quoted(option.placeholder.empty() ? option.name : option.placeholder),
                         action(option));
   const std::string twice = option.takes_several ? "*"
                             : option.short_name.empty()
@@ -82,17 +82,17 @@ std::string specifications(const CommandReader::Option& option) {
 std::string zsh_completion(const Commands& commands) {
   std::string list, cases;
   for (const auto& command : commands) {
-    list += fmt::format("    '{}:{}'\n", command.name, quoted(in_brief(command.what)));
+    list += fmt::format("    '{}:{}'\n", command.name, zsh_quoted(in_brief(command.what)));
     cases +=
         fmt::format("    {})\n      _arguments -s -S '(-h --help)'{{-h,--help}}'[Print the help]'",
                     command.name);
     for (const auto& option : command.options) cases += specifications(option);
     for (const auto& file : command.files)
       cases += fmt::format(" \\\n        '{}:{}:{}'", file.takes_several ? "*" : "",
-                           quoted(file.name), action(file));
+                           zsh_quoted(file.name), action(file));
     cases += "\n      ;;\n";
   }
-  return std::string(kFunctions) + "_graze_commands() {\n  local -a commands=(\n" + list +
+  return std::string(kZshFunctions) + "_graze_commands() {\n  local -a commands=(\n" + list +
          R"sh(  )
   _describe command commands
 }

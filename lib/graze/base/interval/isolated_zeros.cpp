@@ -13,7 +13,7 @@ namespace {
 // Some 10 us with one mode, in the units of ScopedPoll.
 constexpr long long kWorkOfEvaluation = 1 << 11;
 
-struct Cell {
+struct ZeroCell {
   double low = 0.0, high = 0.0;
   int sign = 0;       // that the function has all over it; 0 where only the signs at its ends say
   bool left = false;  // it may hold more zeros than these signs show
@@ -24,15 +24,15 @@ class Isolation {
   explicit Isolation(const BoundedFunction& f) : f_(f) {}
 
   IsolatedZeros over(double low, double high, long long most_cells) {
-    std::vector<Cell> open{{low, high}};
+    std::vector<ZeroCell> open{{low, high}};
     long long looked_at = 0;
     // Narrower cells are one point within the rounding of the range: next to 0 there are many.
     const double finest = std::numeric_limits<double>::epsilon() * (high - low);
     while (!open.empty()) {
-      std::vector<Cell> halves;
+      std::vector<ZeroCell> halves;
       const bool affordable =
           looked_at + static_cast<long long>(open.size()) <= std::max(most_cells, 1LL);
-      for (const Cell& cell : open) {
+      for (const ZeroCell& cell : open) {
         const double middle = cell.low + 0.5 * (cell.high - cell.low);
         if (affordable && goes_on() && settles(cell)) continue;
         if (affordable && !stopped_ && middle > cell.low && middle < cell.high &&
@@ -58,7 +58,7 @@ class Isolation {
   }
 
   // Whether the cell needs no halving.
-  bool settles(const Cell& cell) {
+  bool settles(const ZeroCell& cell) {
     ++found_.evaluations;
     const std::optional<MeanValueForm> form = f_(cell.low, cell.high);
     if (!form) return false;
@@ -68,13 +68,13 @@ class Isolation {
     return true;
   }
 
-  void leave(Cell cell) {
+  void leave(ZeroCell cell) {
     count_undecided(cell);
     cell.left = true;
     cells_.push_back(cell);
   }
 
-  void count_undecided(const Cell& cell) {
+  void count_undecided(const ZeroCell& cell) {
     ++found_.undecided;
     found_.widest = std::max(found_.widest, cell.high - cell.low);
   }
@@ -89,10 +89,10 @@ class Isolation {
 
   void collect() {
     std::sort(cells_.begin(), cells_.end(),
-              [](const Cell& a, const Cell& b) { return a.low < b.low; });
+              [](const ZeroCell& a, const ZeroCell& b) { return a.low < b.low; });
     int sign = 0;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
-      const Cell& cell = cells_[i];
+      const ZeroCell& cell = cells_[i];
       double from = 0.0, to = 0.0;
       int before = cell.sign, after = cell.sign;
       if (cell.sign == 0) {
@@ -116,7 +116,7 @@ class Isolation {
     }
   }
 
-  double zero_within(const Cell& cell, double from, double to) {
+  double zero_within(const ZeroCell& cell, double from, double to) {
     if (!(sign_of(from) * sign_of(to) < 0)) return sign_of(to) == 0 ? cell.high : cell.low;
     const auto [low, high] = bracketed_zero([this](double value) { return at(value); },
                                             {cell.low, from}, {cell.high, to});
@@ -124,7 +124,7 @@ class Isolation {
   }
 
   const BoundedFunction& f_;
-  std::vector<Cell> cells_;
+  std::vector<ZeroCell> cells_;
   IsolatedZeros found_;
   ScopedPoll poll_;
   bool stopped_ = false;

@@ -9,6 +9,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "graze/base/detail/stop_scope.hpp"
+#include "graze/base/linalg/detail/arithmetic.hpp"
 #include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/base/linalg/detail/linear_equations.hpp"
 #include "graze/base/linalg/detail/triangular_factors.hpp"
@@ -17,11 +18,6 @@ namespace graze {
 namespace {
 
 using Eigen::Index;
-
-// Without the tests for infinite parts that std::complex makes.
-Complex times(Complex a, Complex b) {
-  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
 
 // The eigenvalues along the diagonal of a quasi-triangular matrix.
 std::vector<Complex> diagonal_values(const Matrix& t) {

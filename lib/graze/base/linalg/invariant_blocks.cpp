@@ -11,13 +11,13 @@ namespace graze {
 namespace {
 
 // A diagonal block of the Schur form: one row, or two for a conjugate pair.
-struct Cell {
+struct ResolventCell {
   Eigen::Index first = 0, size = 1;
   std::size_t cluster = 0;
 };
 
-std::vector<Cell> cells_of(const Matrix& schur) {
-  std::vector<Cell> cells;
+std::vector<ResolventCell> cells_of(const Matrix& schur) {
+  std::vector<ResolventCell> cells;
   for (Eigen::Index i = 0; i < schur.rows();) {
     const Eigen::Index size = i + 1 < schur.rows() && schur(i + 1, i) != 0.0 ? 2 : 1;
     cells.push_back({i, size, cells.size()});
@@ -49,7 +49,7 @@ class Decoupling {
     while (const auto pair = inseparable(largest)) {
       const std::size_t from = std::max(pair->first, pair->second);
       const std::size_t to = std::min(pair->first, pair->second);
-      for (Cell& cell : cells_)
+      for (ResolventCell& cell : cells_)
         if (cell.cluster == from) cell.cluster = to;
     }
   }
@@ -59,14 +59,14 @@ class Decoupling {
   // The rows of every cluster, ascending.
   std::vector<std::vector<Eigen::Index>> clusters() const {
     std::vector<std::vector<Eigen::Index>> list(cells_.size());
-    for (const Cell& cell : cells_)
+    for (const ResolventCell& cell : cells_)
       for (Eigen::Index i = 0; i < cell.size; ++i) list[cell.cluster].push_back(cell.first + i);
     std::erase_if(list, [](const auto& rows) { return rows.empty(); });
     return list;
   }
 
  private:
-  static Matrix part(const Matrix& of, const Cell& row, const Cell& column) {
+  static Matrix part(const Matrix& of, const ResolventCell& row, const ResolventCell& column) {
     return of.block(row.first, column.first, row.size, column.size);
   }
 
@@ -77,10 +77,10 @@ class Decoupling {
     y_ = Matrix::Identity(n, n);
     d_ = Matrix::Zero(n, n);
     for (std::size_t j = 0; j < cells_.size(); ++j) {
-      const Cell& column = cells_[j];
+      const ResolventCell& column = cells_[j];
       d_.block(column.first, column.first, column.size, column.size) = part(schur_, column, column);
       for (std::size_t i = j; i-- > 0;) {
-        const Cell& row = cells_[i];
+        const ResolventCell& row = cells_[i];
         const Eigen::Index below = row.first + row.size;
         const Eigen::Index count = column.first + column.size - below;
         Matrix left = schur_.block(row.first, below, row.size, count) *
@@ -100,7 +100,7 @@ class Decoupling {
   }
 
   const Matrix& schur_;
-  std::vector<Cell> cells_;
+  std::vector<ResolventCell> cells_;
   Matrix y_, d_;
 };
 

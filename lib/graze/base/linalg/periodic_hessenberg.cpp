@@ -4,12 +4,12 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "graze/base/linalg/detail/arithmetic.hpp"
 
 namespace graze {
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr int kMaxSteps = 120;  // per eigenvalue or pair; some 2 are usual
 
 // A matrix times 2^exponent, its largest entry between 1/2 and 1, or zero.

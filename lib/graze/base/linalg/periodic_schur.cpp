@@ -3,23 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "graze/base/linalg/detail/arithmetic.hpp"
 #include "graze/base/linalg/detail/periodic_hessenberg.hpp"
 
 namespace graze {
 namespace {
 
 using Eigen::Index;
-using Block = Eigen::Matrix2cd;
-using Factors = std::vector<Eigen::MatrixXcd>;
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+using ComplexPair = Eigen::Matrix2cd;
+using ComplexFactors = std::vector<Eigen::MatrixXcd>;
 
 // The 2 x 2 diagonal block at row j of the product of the triangular factors, up to a positive
 // scale.
-Block triangular_block(const Factors& factors, Index j) {
-  Block product = Block::Identity();
+ComplexPair triangular_block(const ComplexFactors& factors, Index j) {
+  ComplexPair product = ComplexPair::Identity();
   for (std::size_t i = 1; i < factors.size(); ++i) {
     product = (factors[i].block<2, 2>(j, j) * product).eval();
     const double size = product.cwiseAbs().maxCoeff();
@@ -29,15 +27,15 @@ Block triangular_block(const Factors& factors, Index j) {
 }
 
 // The same of all factors, the triangular ones having the product r; entries of at most 1.
-Block whole_block(const Factors& factors, Index j, const Block& r) {
-  const Block product = factors[0].block<2, 2>(j, j) * r;
+ComplexPair whole_block(const ComplexFactors& factors, Index j, const ComplexPair& r) {
+  const ComplexPair product = factors[0].block<2, 2>(j, j) * r;
   const double size = product.cwiseAbs().maxCoeff();
-  return size > 0.0 ? Block(product / size) : product;
+  return size > 0.0 ? ComplexPair(product / size) : product;
 }
 
 // Whether a real 2 x 2 matrix of entries up to 1 has a conjugate pair of eigenvalues, beyond
 // rounding.
-bool has_pair(const Block& p, double rounding) {
+bool has_pair(const ComplexPair& p, double rounding) {
   const double half = 0.5 * (p(0, 0).real() - p(1, 1).real());
   return half * half + p(0, 1).real() * p(1, 0).real() < -rounding;
 }
@@ -47,7 +45,7 @@ bool has_pair(const Block& p, double rounding) {
 // in the product becomes small in the first factor. Otherwise the one nearer to the last entry,
 // which stays the same from step to step. Where rounding has made a double eigenvalue complex, its
 // real part.
-Complex shift_of(const Block& p, bool pair) {
+Complex shift_of(const ComplexPair& p, bool pair) {
   const Complex mean = 0.5 * (p(0, 0) + p(1, 1)), half = 0.5 * (p(0, 0) - p(1, 1));
   Complex square = half * half + p(0, 1) * p(1, 0);
   if (!pair && square.real() < 0.0) square = 0.0;
@@ -59,19 +57,19 @@ Complex shift_of(const Block& p, bool pair) {
 }
 
 // The unitary matrix whose first column is (a, b) normalised; real for real a, b.
-Block rotation(Complex a, Complex b) {
+ComplexPair rotation(Complex a, Complex b) {
   const double size = std::max(std::abs(a), std::abs(b));
-  if (!(size > 0.0)) return Block::Identity();
+  if (!(size > 0.0)) return ComplexPair::Identity();
   a /= size;
   b /= size;
   const double length = std::sqrt(std::norm(a) + std::norm(b));
-  Block g;
+  ComplexPair g;
   g << a / length, -std::conj(b) / length, b / length, std::conj(a) / length;
   return g;
 }
 
 // One step of the periodic QR iteration on rows j, j + 1, over all columns and rows.
-void step(Factors& factors, Index j, Block g) {
+void step(ComplexFactors& factors, Index j, ComplexPair g) {
   const Index n = factors[0].rows(), k = static_cast<Index>(factors.size());
   // The change of basis g in the image of the first factor, then triangular again around the cycle.
   auto image = factors[0].middleRows(j, 2).rightCols(n - j);
@@ -89,7 +87,8 @@ void step(Factors& factors, Index j, Block g) {
 }
 
 // The basis with which a step starts in the image of the first factor.
-Block start_of(const Factors& factors, Index j, const Block& r, const Block& p, bool pair) {
+ComplexPair start_of(const ComplexFactors& factors, Index j, const ComplexPair& r,
+                     const ComplexPair& p, bool pair) {
   // With its first column negligible the triangular product hides the block's smaller eigenvalue,
   // and a shift would leave the block as it is; without one the step moves it to the end.
   const bool hidden =
@@ -101,7 +100,7 @@ Block start_of(const Factors& factors, Index j, const Block& r, const Block& p, 
 
 // Triangularises the block at rows j, j + 1 of the first factor; `pair` says what its eigenvalues
 // are. False when it does not get there.
-bool triangularise(Factors& factors, Index j, bool& pair) {
+bool triangularise(ComplexFactors& factors, Index j, bool& pair) {
   // Every factor rounds its product with the others to eps, twice per entry.
   const double rounding = 8.0 * kEpsilon * static_cast<double>(factors.size());
   for (int steps = 0; steps < 30; ++steps) {
@@ -112,7 +111,7 @@ bool triangularise(Factors& factors, Index j, bool& pair) {
       h(j + 1, j) = 0.0;
       return true;
     }
-    const Block r = triangular_block(factors, j), p = whole_block(factors, j, r);
+    const ComplexPair r = triangular_block(factors, j), p = whole_block(factors, j, r);
     // A pair too close to tell from rounding shows when real shifts lead nowhere.
     if (steps == 0) pair = has_pair(p, rounding);
     if (!pair && steps >= 10) pair = has_pair(p, 0.0);

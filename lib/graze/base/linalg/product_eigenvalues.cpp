@@ -6,6 +6,7 @@
 
 #include "graze/base/detail/scaled.hpp"
 #include "graze/base/detail/stop_scope.hpp"
+#include "graze/base/linalg/detail/arithmetic.hpp"
 #include "graze/base/linalg/detail/periodic_schur.hpp"
 #include "graze/base/linalg/detail/triangular_factors.hpp"
 
@@ -14,8 +15,6 @@ namespace {
 
 using Eigen::Index;
 using Factors = TriangularFactors;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Scales a matrix by a power of two to entries of at most 1; returns the exponent taken out.
 int take_exponent(Matrix& matrix) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "graze/base/linalg/detail/arithmetic.hpp"
 #include "graze/base/linalg/detail/linear_equations.hpp"
 
 namespace graze {
@@ -11,7 +12,6 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 // A mode whose flow vanishes to this, over one factor, or over all while one of them is below the
 // second, is extinguished: that flow is taken for zero, and with it two eigenvalues of M. The
 // others move by less than its size times what their vectors may be out of proportion.

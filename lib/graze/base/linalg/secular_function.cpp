@@ -5,13 +5,14 @@
 #include <cmath>
 #include <limits>
 
+#include "graze/base/linalg/detail/arithmetic.hpp"
 #include "graze/base/linalg/detail/linear_equations.hpp"
 
 namespace graze {
 namespace {
 
 using Eigen::Index;
-using Block = Eigen::Matrix2d;
+using RealPair = Eigen::Matrix2d;
 
 // Roundings of an entry of a product of two by two.
 constexpr double kRoundingsOfBlock = 4.0;
@@ -19,8 +20,8 @@ constexpr double kRoundingsOfBlock = 4.0;
 // Next to an eigenvalue at which the elimination meets an exact zero.
 constexpr double kBeside = 1.0 + 0x1p-48;
 
-Block block_of(const JumpAndFlow& factor, Index mode) {
-  Block block;
+RealPair block_of(const JumpAndFlow& factor, Index mode) {
+  RealPair block;
   block << factor.qq[mode], factor.qv[mode], factor.vq[mode], factor.vv[mode];
   return block;
 }
@@ -34,9 +35,9 @@ Eigen::Matrix<double, 2, Eigen::Dynamic> rows_of(const Matrix& matrix, Index mod
 
 // All flows from a factor on, on round the cycle up to the one before another one; of one to itself
 // all of them.
-Block flows_between(const std::vector<JumpAndFlow>& factors, std::size_t from, std::size_t to,
-                    Index mode) {
-  Block product = Block::Identity();
+RealPair flows_between(const std::vector<JumpAndFlow>& factors, std::size_t from, std::size_t to,
+                       Index mode) {
+  RealPair product = RealPair::Identity();
   std::size_t i = from;
   do {
     product = (block_of(factors[i], mode) * product).eval();
@@ -46,16 +47,16 @@ Block flows_between(const std::vector<JumpAndFlow>& factors, std::size_t from, s
 }
 
 // The matrix less its mean, which is half its trace.
-Block centred(const Block& block) {
+RealPair centred(const RealPair& block) {
   const double half = 0.5 * (block(0, 0) - block(1, 1));
-  Block rest;
+  RealPair rest;
   rest << half, block(0, 1), block(1, 0), -half;
   return rest;
 }
 
-PolePair eigenvalues_of(const Block& block) {
+PolePair eigenvalues_of(const RealPair& block) {
   const double mean = 0.5 * (block(0, 0) + block(1, 1));
-  const Block rest = centred(block);
+  const RealPair rest = centred(block);
   const double square = rest(0, 0) * rest(0, 0) + rest(0, 1) * rest(1, 0);
   const double root = std::sqrt(std::abs(square));
   if (square < 0.0) return {Complex(mean, root), Complex(mean, -root)};
@@ -66,10 +67,6 @@ PolePair eigenvalues_of(const Block& block) {
 Complex inverse_of(Complex z) {
   const double size = std::norm(z);
   return {z.real() / size, -z.imag() / size};
-}
-
-Complex times(Complex a, Complex b) {
-  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
 ComplexVector flown(const JumpAndFlow& factor, const ComplexVector& x) {
@@ -143,7 +140,7 @@ SecularFunction::SecularFunction(const std::vector<JumpAndFlow>& factors) : fact
   centred_.assign(factors.size(), Matrix(4, n));
   for (Index m = 0; m < n; ++m)
     for (std::size_t i = 0; i < factors.size(); ++i) {
-      const Block all = flows_between(factors, i, i, m), rest = centred(all);
+      const RealPair all = flows_between(factors, i, i, m), rest = centred(all);
       centred_[i].col(m) << rest(0, 0), rest(0, 1), rest(1, 0), rest(1, 1);
       if (i > 0) continue;
       mean_[m] = 0.5 * (all(0, 0) + all(1, 1));
@@ -169,8 +166,8 @@ void SecularFunction::add_entries(std::size_t row, std::size_t column) {
   for (Index c = first_[column]; c < first_[column + 1]; ++c)
     for (Index r = first_[row]; r < first_[row + 1]; ++r) entries_.push_back(r + c * first_.back());
   for (Index m = 0; m < modes(); ++m) {
-    const Block flow = flows_between(factors_, column, row, m);
-    Block rest;
+    const RealPair flow = flows_between(factors_, column, row, m);
+    RealPair rest;
     rest << centred_[column](0, m), centred_[column](1, m), centred_[column](2, m),
         centred_[column](3, m);
     const Matrix left = rows_of(factors_[row].to, m).transpose() * flow;
@@ -185,10 +182,10 @@ void SecularFunction::add_entries(std::size_t row, std::size_t column) {
 void SecularFunction::leave_out(Index mode) { counted_[mode] = 0.0; }
 
 PolePair SecularFunction::alone(Index mode) const {
-  Block product = Block::Identity();
+  RealPair product = RealPair::Identity();
   for (const JumpAndFlow& factor : factors_) {
-    const Block jump =
-        Block::Identity() + rows_of(factor.from, mode) * rows_of(factor.to, mode).transpose();
+    const RealPair jump =
+        RealPair::Identity() + rows_of(factor.from, mode) * rows_of(factor.to, mode).transpose();
     product = (block_of(factor, mode) * jump * product).eval();
   }
   return eigenvalues_of(product);

@@ -3,18 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include "graze/base/detail/scaled.hpp"
 #include "graze/base/detail/stop_scope.hpp"
+#include "graze/base/linalg/detail/arithmetic.hpp"
 
 namespace graze {
 namespace {
 
 using Eigen::Index;
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Solves a_i z_i - t_i z_{i+1} = -g_i, i = 0..k-1, z_k = z_0, with row interchanges; false when it
 // is singular and the right-hand side does not fit. z_i is free, and then 0, where it only appears

@@ -19,7 +19,7 @@ namespace {
 constexpr double kResolution = 1e-9;
 
 // Cells times modes that one search may look at: about a second's worth.
-constexpr long long kMostWork = 1LL << 17;
+constexpr long long kMostRunWork = 1LL << 17;
 
 // Values that traced branches cover, as disjoint intervals.
 class Coverage {
@@ -99,7 +99,7 @@ class Search {
   Coverage& coverage(const Cell& cell) { return covered_[cell.family > 0 ? 0 : 1][cell.range]; }
 
   void look_at(Cell cell, std::deque<Cell>& open) {
-    if (result_.cells * modes_ > kMostWork) {
+    if (result_.cells * modes_ > kMostRunWork) {
       ++result_.undecided;
       result_.widest = std::max(result_.widest, cell.high - cell.low);
       return;

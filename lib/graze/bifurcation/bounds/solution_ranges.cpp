@@ -12,7 +12,7 @@ namespace graze {
 namespace {
 
 // Cells times modes that a survey may look at: about a second's worth.
-constexpr long long kMostWork = 1LL << 20;
+constexpr long long kMostRangeWork = 1LL << 20;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ SolutionRanges::SolutionRanges(const SystemFamily& family, int stop, int period,
       length_(highest - lowest) {
   bool ends_everywhere = false;  // at zeros, though there are solutions on both sides
   int sign = 0;                  // of F; 0 before the first piece and after a gap between pieces
-  long long left = kMostWork / family.scene().modes();
+  long long left = kMostRangeWork / family.scene().modes();
   auto pieces_left = static_cast<long long>(interpolant_.pieces().size());
   std::optional<Range> open;
   const auto close = [&](double at, bool folds) {

@@ -18,7 +18,7 @@ constexpr double kSettled = 1e-8;
 // Steps that shrink less lead nowhere near.
 constexpr double kContraction = 0.8;
 // Nor does what lies further than this from where it began, in units of the unknowns and the range.
-constexpr double kBeside = 1e-2;
+constexpr double kBesideContact = 1e-2;
 
 class GrazingSearch {
  public:
@@ -123,7 +123,7 @@ std::optional<FoundGrazing> find_grazing_from(const SegmentEquations& equations,
   std::optional<FoundGrazing> found =
       GrazingSearch(equations, options).near(from, grazings.front());
   const Corrector corrector(equations.problem(), options);
-  if (found && !(corrector.chord(from, found->at).norm() <= kBeside)) return {};
+  if (found && !(corrector.chord(from, found->at).norm() <= kBesideContact)) return {};
   return found;
 }
 

@@ -15,9 +15,9 @@ constexpr double kGrazes = 1e-9;
 constexpr double kStill = 1e-5;
 // Where an impact is this slow, of a speed, the trace ends: its square is a thousand times what
 // residuals are solved to.
-constexpr double kSlow = 1e-4;
+constexpr double kSlowAtRelease = 1e-4;
 // Where on the other side an orbit without the impact is looked for, of the range.
-constexpr double kBeside = 1e-5;
+constexpr double kBesideRelease = 1e-5;
 
 double length_unit(const SegmentEquations& equations, const SolutionPoint& at) {
   return motion_scale(*equations.system_at(at.parameter)).length;
@@ -33,7 +33,7 @@ std::optional<SolutionPoint> without_impact(const SegmentEquations& equations,
                                             const SolutionPoint& at, double grazing) {
   const std::optional<ReleaseReturn> here = equations.follow(at);
   if (!here) return {};
-  const double beside = kBeside * std::abs(options.to - options.from);
+  const double beside = kBesideRelease * std::abs(options.to - options.from);
   for (const double side : {1.0, -1.0}) {
     std::optional<SolutionPoint> other =
         solve_at(equations.problem(), options, at.u, grazing + side * beside);
@@ -74,7 +74,7 @@ ReleaseTip grazing_ahead(const SegmentEquations& equations, const ContinuationOp
   const std::optional<ReleaseReturn> before = equations.follow(a), now = equations.follow(b);
   if (!before || !now || !now->returns || now->sticking != before->sticking) return {};
   const double unit = speed_unit(equations, b);
-  if (!(now->itinerary.slowest <= kSlow * unit &&
+  if (!(now->itinerary.slowest <= kSlowAtRelease * unit &&
         now->itinerary.slowest < before->itinerary.slowest))
     return {};
   const std::optional<FoundGrazing> grazing = find_grazing_from(equations, options, b);

@@ -21,7 +21,7 @@ constexpr double kCompletion = 1e-9;
 constexpr double kBorn = 1e-2;
 // Where an impact is this slow, of a speed, the grazing is some 1e-5 of the range away, and steps
 // have shrunk to less.
-constexpr double kSlow = 5e-3;
+constexpr double kSlowOnLocus = 5e-3;
 
 std::vector<int> sticking_of(const Itinerary& itinerary) {
   std::vector<int> sticking;
@@ -92,7 +92,7 @@ std::optional<OrbitLocusEnd> ReleaseLocus::change(const LocusSite& a, const Locu
   const double speed = equations_.speed_unit();
   const bool born = now->events.size() > before->events.size();
   const bool grazes = before->events == now->events
-                          ? now->slowest <= kSlow * speed && now->slowest < before->slowest
+                          ? now->slowest <= kSlowOnLocus * speed && now->slowest < before->slowest
                           : (born ? now : before)->slowest <= kBorn * speed;
   return grazes ? std::optional(OrbitLocusEnd::kGrazing) : std::nullopt;
 }

@@ -9,9 +9,9 @@
 namespace graze {
 namespace {
 
-constexpr int kMostIterations = 8;
+constexpr int kMostCorrections = 8;
 // A step this small leaves an error of its square, below rounding.
-constexpr double kSettled = 1e-8;
+constexpr double kCorrectorSettled = 1e-8;
 
 // Factorised where it stands: the matrix is not needed any more.
 using InPlaceLU = Eigen::PartialPivLU<Eigen::Ref<Matrix>>;
@@ -60,12 +60,12 @@ std::optional<Corrector::Linearised> Corrector::linearise(const Vector& x, const
 std::optional<SolutionPoint> Corrector::solve(Vector x, const Vector& normal, double contraction) {
   const Eigen::Index n = x.size() - 1;
   double last = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < kMostIterations; ++i) {
+  for (int i = 0; i < kMostCorrections; ++i) {
     std::optional<Linearised> at = linearise(x, normal);
     if (!at) return {};
     const InPlaceLU lu(at->bordered);
     const double residual = at->residual.cwiseAbs().maxCoeff();
-    if (residual <= options_.residual_tolerance && last <= kSettled) {
+    if (residual <= options_.residual_tolerance && last <= kCorrectorSettled) {
       const Vector tangent = lu.solve(Vector::Unit(n + 1, n)).normalized();
       if (!tangent.allFinite()) return {};
       // The tangent leans to the side of the normal, so its determinant has the normal's sign.
@@ -73,7 +73,7 @@ std::optional<SolutionPoint> Corrector::solve(Vector x, const Vector& normal, do
     }
     const Vector step = lu.solve(correction_target(at->residual));
     const double size = step.norm();
-    if (!std::isfinite(size) || (size > contraction * last && size > kSettled)) return {};
+    if (!std::isfinite(size) || (size > contraction * last && size > kCorrectorSettled)) return {};
     x += step;
     last = size;
   }

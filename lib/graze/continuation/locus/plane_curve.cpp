@@ -19,7 +19,7 @@ constexpr double kDefaultStep = 0.02;  // of a range
 constexpr double kUpright = 10.0;
 
 // A point further away than this from where it was sought, in ranges, is not what was meant.
-constexpr double kNear = 0.2;
+constexpr double kNearLocus = 0.2;
 
 double length_of(double from, double to) {
   const double length = std::abs(to - from);
@@ -221,8 +221,8 @@ std::optional<SolutionPoint> point_on_curve(const PlaneCurveProblem& problem,
   const auto at_first = [&] { return across(corrector, x, Vector::Unit(n + 1, problem.first)); };
   const auto suits = [&](const std::optional<SolutionPoint>& point) {
     return point && is_inside(along, *point) &&
-           std::abs(point->u[problem.first] - unknown[problem.first]) <= kNear &&
-           std::abs(point->parameter - second) <= kNear * corrector.range();
+           std::abs(point->u[problem.first] - unknown[problem.first]) <= kNearLocus &&
+           std::abs(point->parameter - second) <= kNearLocus * corrector.range();
   };
   const bool upright = std::abs(runs[problem.first]) > kUpright * std::abs(runs[n]);
   std::optional<SolutionPoint> point = upright ? at_first() : at_second();

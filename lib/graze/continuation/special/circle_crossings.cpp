@@ -42,7 +42,7 @@ bool is_single(int flipped, int grown, int pairs) {
 
 // Crossings in one step are told apart down to 2^-30 of it; nearer than that each is still found by
 // its own modulus.
-constexpr int kMostHalvings = 30;
+constexpr int kMostCrossingHalvings = 30;
 // Where multipliers jump within a step every part of it asks to be divided. A jump takes two parts
 // a halving, and a dozen crossings as many each; more is noise.
 constexpr int kMostDivisions = 1000;
@@ -73,7 +73,7 @@ double halfway(double from, double to) {
 }  // namespace
 
 void CircleCrossings::add(const SolutionPoint& a, const SolutionPoint& b) {
-  divide(a, b, kMostHalvings);
+  divide(a, b, kMostCrossingHalvings);
 }
 
 void CircleCrossings::add_undivided(const SolutionPoint& a, const SolutionPoint& b) {
@@ -110,7 +110,7 @@ void CircleCrossings::divide(const SolutionPoint& a, const SolutionPoint& b, int
     const std::optional<SolutionPoint> found = add_crossing(a, b, j);
     if (!found || halvings == 0) continue;
     const double at = corrector_.ahead(a, *found);
-    const double aside = std::ldexp(length, -kMostHalvings / 2);
+    const double aside = std::ldexp(length, -kMostCrossingHalvings / 2);
     const auto before = at > aside ? known_between(a, at - aside, a, *found) : std::nullopt;
     const auto behind =
         at + aside < length ? known_between(a, at + aside, *found, b) : std::nullopt;

@@ -30,10 +30,10 @@ namespace {
 // Griewank and Reddien, SIAM J. Numer. Anal. 21 (1984) 176-185; Govaerts, Numerical Methods for
 // Bifurcations of Dynamical Equilibria, 2000.
 
-constexpr int kMostIterations = 8;
+constexpr int kMostCriticalIterations = 8;
 // A step this small leaves an error of its square, and of its product with the error of the
 // differences (1e-10): below rounding.
-constexpr double kSettled = 1e-8;
+constexpr double kCriticalSettled = 1e-8;
 
 struct Singularity {
   Vector value;  // g, 2
@@ -76,7 +76,7 @@ std::optional<Vector> crossing_near(Corrector& corrector, const Vector& guess) {
   Vector x = guess;
   double unfolding = 0.0, last = std::numeric_limits<double>::infinity();
   std::optional<NullSpaces> borders;
-  for (int i = 0; i < kMostIterations; ++i) {
+  for (int i = 0; i < kMostCriticalIterations; ++i) {
     const auto at = corrector.linearise(x, Vector::Zero(n + 1));
     if (!at) return {};
     const Matrix slope = at->bordered.topRows(n);
@@ -91,10 +91,10 @@ std::optional<Vector> crossing_near(Corrector& corrector, const Vector& guess) {
     target << -at->residual - unfolding * borders->left.col(0), -singular->value;
     const Vector step = LuFactors(jacobian).solve(target);
     const double size = step.norm();
-    if (!std::isfinite(size) || (size > 0.5 * last && size > kSettled)) return {};
+    if (!std::isfinite(size) || (size > 0.5 * last && size > kCriticalSettled)) return {};
     x += step.head(n + 1);
     unfolding += step[n + 1];
-    if (size <= kSettled) return x;
+    if (size <= kCriticalSettled) return x;
     last = size;
   }
   return {};
@@ -102,7 +102,7 @@ std::optional<Vector> crossing_near(Corrector& corrector, const Vector& guess) {
 
 // Halvings of a piece between samples that a branch point lies in, to a step as short as the
 // tracer passes one with.
-constexpr int kMostHalvings = 30;
+constexpr int kMostCriticalHalvings = 30;
 
 // Next to a pole samples are this part of a step away from it, 2^-n: a residue that is smaller
 // beside the others moves a multiplier through the circle within less.
@@ -230,7 +230,7 @@ class CriticalSearch {
   // branch point itself: the ends of the step are badly determined along the branch that crosses.
   void add_branch_point(SolutionPoint a, SolutionPoint b, std::size_t i) {
     for (int halving = 0;
-         halving < kMostHalvings && !stop_.requested() &&
+         halving < kMostCriticalHalvings && !stop_.requested() &&
          corrector_.chord(a, b).norm() > kShortest * (1.0 + corrector_.pack(a).norm());
          ++halving) {
       std::optional<SolutionPoint> middle =

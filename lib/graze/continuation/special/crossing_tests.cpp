@@ -8,11 +8,11 @@ namespace {
 // c of the header: factors that differ from zero by more do not matter. Multipliers interact over
 // distances of the size of their damping, a few hundredths; this is well above that, and well below
 // the 1 or 2 that separate multipliers at large.
-constexpr double kNear = 0.5;
+constexpr double kNearCrossing = 0.5;
 
 // Multiplies a test by g of a factor with this squared modulus.
 void multiply(CrossingTest& test, double squared_size, double error) {
-  test.log_size += 0.5 * std::log(squared_size / (squared_size + kNear * kNear));
+  test.log_size += 0.5 * std::log(squared_size / (squared_size + kNearCrossing * kNearCrossing));
   test.known = test.known && squared_size > error * error;
 }
 

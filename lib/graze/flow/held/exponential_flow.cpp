@@ -10,7 +10,7 @@ namespace graze {
 namespace {
 
 // Roundings in one term of a curve, as in the decoupled flow.
-constexpr double kRoundings = 8.0;
+constexpr double kExponentialRoundings = 8.0;
 
 // Norms know nothing of what an observable sees of the motion. Over a short reach h the derivatives
 // at hand bound the second one better,
@@ -124,7 +124,7 @@ void ExponentialSum::add_term(const Term& term, double s, std::size_t m, CurvePo
   higher.last += bound(m + 5);
   const Derivative& seen = term.derivatives[m];
   const Vector rounded = m == 0 ? arc.change_size(s) : arc.formed_from_ + arc.change_size(s);
-  point.noise += kRoundings * std::numeric_limits<double>::epsilon() *
+  point.noise += kExponentialRoundings * std::numeric_limits<double>::epsilon() *
                  (seen.size.dot(rounded) + seen.bound_of_input);
 }
 

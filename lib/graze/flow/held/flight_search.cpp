@@ -10,19 +10,19 @@ namespace graze {
 namespace {
 
 // Derivatives of a series: over a step of some three radians of the quickest mode.
-constexpr int kOrder = 16;
+constexpr int kSearchOrder = 16;
 // Of the size of the motion, what the series may leave out over a step: enough for the search that
 // finishes to start within its ball.
-constexpr double kLeftOut = 1e-5;
+constexpr double kGapLeftOut = 1e-5;
 // Where nothing is near for so long, in 1/rad of the quickest mode, a series is not worth it.
 constexpr double kLeap = 4.0;
 // Part of a step to which the zero is approached before that.
-constexpr double kResolved = 1.0 / 1024.0;
+constexpr double kSearchResolved = 1.0 / 1024.0;
 
 }  // namespace
 
 FlightSearch::FlightSearch(const System& system, const LinearSystem<double>& modes)
-    : series_(modes, Matrix(modes.omega.size(), 0), kOrder),
+    : series_(modes, Matrix(modes.omega.size(), 0), kSearchOrder),
       omega_(modes.omega),
       frequency_(modes.frequency),
       rows_(modes.omega.size(), static_cast<Eigen::Index>(system.stops.size())),
@@ -59,7 +59,7 @@ void FlightSearch::look(Watched& watched, double from, double step) {
   const BoundedSeries gap =
       series_.gap(rows_.col(watched.stop), norms_[watched.stop], gaps_[watched.stop],
                   from == 0.0 ? watched.multiplicity : 0, tau, coefficients_);
-  const SeriesZero zero = first_zero(gap, tau, kResolved);
+  const SeriesZero zero = first_zero(gap, tau, kSearchResolved);
   watched.clear =
       std::max(watched.clear, zero.clear >= tau ? from + step : from + zero.clear * series_.unit());
 }
@@ -129,7 +129,7 @@ void FlightSearch::step(const GapCurves& curves, const Arc<double>& arc, double&
                         const Flight<double>& flight, Arrival<double>& arrival) {
   series_.expand(arc.start_phase() + frequency_ * from, q_, qdot_);
   ++arrival.evaluations;
-  const double step = std::min(series_.step(kLeftOut) * series_.unit(), arrival.flight - from);
+  const double step = std::min(series_.step(kGapLeftOut) * series_.unit(), arrival.flight - from);
   const double until = from + step;
   for (Watched& watched : watched_)
     if (watched.clear < until) look(watched, from, step);

@@ -17,11 +17,11 @@ namespace {
 
 // With this order a step goes over two to four radians of the quickest mode, and a coefficient
 // costs least for each.
-constexpr int kOrder = 24;
+constexpr int kPhaseOrder = 24;
 // What a step leaves out of the motion, in parts of its size: nothing that its rounding would show.
-constexpr double kLeftOut = std::numeric_limits<double>::epsilon() / 4.0;
+constexpr double kMotionLeftOut = std::numeric_limits<double>::epsilon() / 4.0;
 // Of a step, first; then to the last digit.
-constexpr double kResolved = 1.0 / 1024.0;
+constexpr double kPhaseResolved = 1.0 / 1024.0;
 // Steps of one flight: longer ones are cut.
 constexpr std::size_t kMostSteps = 256;
 // More modes than that are not decomposed even where they are real and a decomposition serves for
@@ -59,7 +59,7 @@ SeriesPhase::SeriesPhase(const System& system, PhaseKey key)
       rows_(system.modes(), static_cast<Eigen::Index>(system.stops.size())),
       gaps_(rows_.cols()),
       held_gaps_(static_cast<Eigen::Index>(closed().size())),
-      series_(modes_, rows_of(system, closed()), kOrder) {
+      series_(modes_, rows_of(system, closed()), kPhaseOrder) {
   for (Eigen::Index i = 0; i < rows_.cols(); ++i) {
     const Stop& stop = system.stops[static_cast<std::size_t>(i)];
     rows_.col(i) = stop.row;
@@ -107,7 +107,7 @@ void SeriesPhase::state(const double& s, Vector& q, Vector& qdot) const {
   Step step = step_at(s);
   for (;;) {
     const MotionSeries& series = about(step);
-    const double longest = series.step(kLeftOut) * series.unit();
+    const double longest = series.step(kMotionLeftOut) * series.unit();
     const double left = s - step.from;
     series.state(std::min(left, longest) / series.unit(), q, qdot);
     series.settle(held_gaps_, q, qdot);
@@ -189,7 +189,7 @@ std::optional<SeriesPhase::Met> SeriesPhase::met_by(const Watched& watched, doub
                                   : series_.gap(rows_.col(watched.stop), norms_[watched.stop],
                                                 gaps_[watched.stop], left, tau, watch_);
   if (left > 0 && !(watch.coefficients[0] > 0.0)) return Met{0.0, &watched, true};
-  SeriesZero zero = first_zero(watch, tau, kResolved);
+  SeriesZero zero = first_zero(watch, tau, kPhaseResolved);
   if (zero.clear >= tau) return {};
   if (!zero.crosses) zero = first_zero(watch, tau, kEps);
   if (zero.clear >= tau) return {};
@@ -205,7 +205,7 @@ std::optional<SeriesPhase::Met> SeriesPhase::first_met(const std::vector<Watched
     const Step& step = steps.back();
     const MotionSeries& series = about(step);
     ++expansions;
-    const double longest = series.step(kLeftOut) * series.unit();
+    const double longest = series.step(kMotionLeftOut) * series.unit();
     const bool last = longest >= window - step.from;
     const double end = last ? window - step.from : longest;
     double tau = end / series.unit();
@@ -275,7 +275,7 @@ std::vector<double> SeriesPhase::step_ends(double until) const {
     // Nobody has stepped beyond the last step that the search for an event took.
     const MotionSeries& series = about(step);
     const double pieces =
-        std::ceil(2.0 * (to - step.from) / (series.step(kLeftOut) * series.unit()));
+        std::ceil(2.0 * (to - step.from) / (series.step(kMotionLeftOut) * series.unit()));
     for (double k = 1.0; k < pieces; ++k) ends.push_back(step.from + k / pieces * (to - step.from));
     ends.push_back(to);
   }

@@ -12,7 +12,7 @@ namespace graze {
 namespace {
 
 // Products and sums that an acceleration is formed by.
-constexpr double kRoundings = 8.0;
+constexpr double kSeriesRoundings = 8.0;
 
 }  // namespace
 
@@ -102,7 +102,7 @@ double MotionSeries::force_noise(int i) const {
       stiffness_.cwiseProduct(c_.col(0).cwiseAbs()) + damping_.cwiseProduct(c_.col(1).cwiseAbs());
   if (load_.size() > 0) terms += load_.cwiseAbs();
   if (amplitude_.size() > 0) terms += amplitude_.cwiseAbs();
-  return kRoundings * std::numeric_limits<double>::epsilon() *
+  return kSeriesRoundings * std::numeric_limits<double>::epsilon() *
          shares_.col(i).cwiseAbs().dot(terms) / (unit_ * unit_);
 }
 
@@ -136,7 +136,7 @@ BoundedSeries MotionSeries::gap(const Eigen::Ref<const Vector>& row, double norm
       -(c_.leftCols(order_ + 1).transpose() * row);
   storage[0] += gap;
   const double unit_rounding =
-      (kRoundings + static_cast<double>(row.size())) * std::numeric_limits<double>::epsilon();
+      (kSeriesRoundings + static_cast<double>(row.size())) * std::numeric_limits<double>::epsilon();
   BoundedSeries series;
   series.coefficients =
       std::span<const double>(storage).subspan(static_cast<std::size_t>(multiplicity));

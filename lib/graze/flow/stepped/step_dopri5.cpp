@@ -52,7 +52,7 @@ class DenseWalk {
 };
 
 template <class Rates>
-std::unique_ptr<StepFlow> flow(const Rates& rates, const StepSetting& setting) {
+std::unique_ptr<StepFlow> by_dopri5(const Rates& rates, const StepSetting& setting) {
   using Stepper = odeint::runge_kutta_dopri5<typename Rates::State>;
   return step_walk::fixed_or_adaptive<step_walk::Unprepared<Stepper>, DenseWalk<Rates>>(rates,
                                                                                         setting);
@@ -61,15 +61,15 @@ std::unique_ptr<StepFlow> flow(const Rates& rates, const StepSetting& setting) {
 }  // namespace
 
 std::unique_ptr<StepFlow> dopri5_flow(const ModalRates& rates, const StepSetting& setting) {
-  return step_walk::with_rates(rates, [&](const auto& side) { return flow(side, setting); });
+  return step_walk::with_rates(rates, [&](const auto& side) { return by_dopri5(side, setting); });
 }
 
 std::unique_ptr<StepFlow> dopri5_flow(const FirstOrderSystem& system, const StepSetting& setting) {
-  return flow(step_walk::Dense(system), setting);
+  return by_dopri5(step_walk::Dense(system), setting);
 }
 
 std::unique_ptr<StepFlow> dopri5_flow(const SprungSystem& system, const StepSetting& setting) {
-  return flow(step_walk::Sprung(system, setting.tolerance), setting);
+  return by_dopri5(step_walk::Sprung(system, setting.tolerance), setting);
 }
 
 }  // namespace graze

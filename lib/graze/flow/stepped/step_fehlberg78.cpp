@@ -73,7 +73,7 @@ class ControlledWalk {
 };
 
 template <class Rates>
-std::unique_ptr<StepFlow> flow(const Rates& rates, const StepSetting& setting) {
+std::unique_ptr<StepFlow> by_fehlberg78(const Rates& rates, const StepSetting& setting) {
   using Stepper = odeint::runge_kutta_fehlberg78<typename Rates::State>;
   return step_walk::fixed_or_adaptive<Stepper, ControlledWalk<Rates>>(rates, setting);
 }
@@ -81,16 +81,17 @@ std::unique_ptr<StepFlow> flow(const Rates& rates, const StepSetting& setting) {
 }  // namespace
 
 std::unique_ptr<StepFlow> fehlberg78_flow(const ModalRates& rates, const StepSetting& setting) {
-  return step_walk::with_rates(rates, [&](const auto& side) { return flow(side, setting); });
+  return step_walk::with_rates(rates,
+                               [&](const auto& side) { return by_fehlberg78(side, setting); });
 }
 
 std::unique_ptr<StepFlow> fehlberg78_flow(const FirstOrderSystem& system,
                                           const StepSetting& setting) {
-  return flow(step_walk::Dense(system), setting);
+  return by_fehlberg78(step_walk::Dense(system), setting);
 }
 
 std::unique_ptr<StepFlow> fehlberg78_flow(const SprungSystem& system, const StepSetting& setting) {
-  return flow(step_walk::Sprung(system, setting.tolerance), setting);
+  return by_fehlberg78(step_walk::Sprung(system, setting.tolerance), setting);
 }
 
 }  // namespace graze

@@ -12,22 +12,22 @@ namespace graze {
 namespace {
 
 // A dense solve grows as its cube: 1 ms here, a thousand forcing periods of a small system.
-constexpr Eigen::Index kMostUnknowns = 192;
+constexpr Eigen::Index kMostDenseUnknowns = 192;
 
 // A motion that repeats to 1e-6 is this near its orbit unless a multiplier is within 1e-3 of one; a
 // solution further away is another orbit.
-constexpr double kNear = 1e-3;
+constexpr double kNearMotion = 1e-3;
 
 }  // namespace
 
 std::optional<NearbyOrbit> nearby_orbit(const System& system, const ImpactPattern& pattern,
                                         const std::vector<ImpactPoint>& points) {
   const ShootingProblem problem(pattern, motion_scale(system));
-  if (problem.size(system) > kMostUnknowns) return {};
+  if (problem.size(system) > kMostDenseUnknowns) return {};
   const auto solution = newton(problem, system, problem.pack(points));
   if (!solution) return {};
   NearbyOrbit orbit{pattern, problem.unpack(system, solution->x), {}};
-  if (!(distance(system, motion_scale(system), orbit, points) <= kNear)) return {};
+  if (!(distance(system, motion_scale(system), orbit, points) <= kNearMotion)) return {};
   orbit.stable = stability(orbit_multipliers(system, pattern, orbit.points));
   return orbit;
 }

@@ -13,7 +13,7 @@ namespace {
 // solution, chord times cos(x/2), and the product (chord + eta^2/chord) cos(x/2) falls all the way
 // to the other solution, half a turn away, when eta is no less than the longest chord, 2. With a
 // shorter reach a valley is left around the known point, and a descent ends there.
-constexpr double kReach = 2.0;
+constexpr double kDeflationReach = 2.0;
 
 double chord(double difference, double turns) {
   return 2.0 * turns * std::sin(difference / (2.0 * turns));
@@ -67,7 +67,7 @@ double PhaseDeflation::factor(const Vector& phases, Vector* gradient) const {
   Vector along = Vector::Zero(2 * k);
   for (const Vector& point : points_) {
     const double distance = (here - point).squaredNorm();
-    const double part = kReach * kReach / distance;
+    const double part = kDeflationReach * kDeflationReach / distance;
     sum += part;
     if (gradient) along -= 2.0 * part / distance * (here - point);
   }
@@ -79,7 +79,7 @@ double PhaseDeflation::factor(const Vector& phases, Vector* gradient) const {
         continue;
       const double difference = phases[i] - phases[j];
       const double distance = chord(difference, turns) * chord(difference, turns);
-      const double part = kReach * kReach / distance;
+      const double part = kDeflationReach * kDeflationReach / distance;
       sum += part;
       if (!gradient) continue;
       const double slope = 2.0 * part / distance * half_slope(difference, turns);

@@ -12,7 +12,7 @@ namespace graze {
 namespace {
 
 // Twice as far and as fast as the motion's scale reaches motions that keep to it, and some above.
-constexpr double kReach = 2.0;
+constexpr double kStartReach = 2.0;
 
 // Moves a state along the direction of a spring's force, to where an impact of that speed, m/s, at
 // most takes it.
@@ -42,11 +42,11 @@ State start_at(const System& system, std::span<const double> coordinates) {
     for (int j = 0; j < system.modes(); ++j)
       shape[j] =
           stop.row[j] / std::max(system.omega[j] * system.omega[j], 1e-2 * frequency * frequency);
-    shape *= kReach * length / stop.row.dot(shape);
+    shape *= kStartReach * length / stop.row.dot(shape);
     state.q += coordinates[2 * i] * shape;
     state.qdot += coordinates[2 * i + 1] * frequency * shape;
   }
-  bring_within_reach(system, kReach * motion_scale(system).speed, state);
+  bring_within_reach(system, kStartReach * motion_scale(system).speed, state);
   bring_clear(system, state);
   return state;
 }

@@ -9,10 +9,10 @@ namespace {
 // Of the equations of all impacts at once, which are dense: a step of Newton's method takes some
 // 70 ms, and eight times as long with twice as many. Orbits of more impacts are followed, which
 // leaves the 2N unknowns of a section.
-constexpr int kMostUnknowns = 1000;
+constexpr int kMostImpactUnknowns = 1000;
 
 bool is_short(const System& system, const ImpactPattern& pattern) {
-  return pattern.impacts() * (2 * system.modes() + 1) <= kMostUnknowns;
+  return pattern.impacts() * (2 * system.modes() + 1) <= kMostImpactUnknowns;
 }
 
 }  // namespace

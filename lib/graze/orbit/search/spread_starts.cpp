@@ -23,7 +23,7 @@ namespace {
 
 // So near, in rad and units of the forced motion's speed, an orbit that is stable draws a motion
 // in: settled.cpp takes the same distance for being on the way elsewhere.
-constexpr double kNear = 1e-3;
+constexpr double kNearStart = 1e-3;
 // Boost's table of Sobol sequences ends there; each stop takes two dimensions.
 constexpr std::size_t kMostStops = 1833;
 // Motions that are followed side by side, knowing the same orbits.
@@ -128,7 +128,7 @@ class Spread {
       bool near = true;
       const OrbitImpact& origin = orbit.impacts[shift];
       const MetImpact& first = met[met.size() - k];
-      near = std::abs(std::remainder(first.phase - origin.phase, kTurn)) < kNear;
+      near = std::abs(std::remainder(first.phase - origin.phase, kTurn)) < kNearStart;
       for (std::size_t i = 0; i < k && near; ++i) {
         const OrbitImpact& impact = orbit.impacts[(shift + i) % k];
         const MetImpact& its = met[met.size() - k + i];
@@ -136,8 +136,8 @@ class Spread {
         const double along = angle(impact.period_index + round, impact.phase) -
                              angle(origin.period_index, origin.phase);
         const double flown = angle(its.period, its.phase) - angle(first.period, first.phase);
-        near = impact.stop == its.stop && std::abs(along - flown) < kNear &&
-               std::abs(impact.speed - its.speed) < kNear * speed_scale();
+        near = impact.stop == its.stop && std::abs(along - flown) < kNearStart &&
+               std::abs(impact.speed - its.speed) < kNearStart * speed_scale();
       }
       if (near) return true;
     }

@@ -12,7 +12,7 @@ namespace {
 constexpr int kLargestMultiplicity = 4;
 
 // Beyond, a double cannot tell the periods apart.
-constexpr long long kMostPeriods = 1LL << 53;
+constexpr long long kMostCountedPeriods = 1LL << 53;
 
 const std::vector<std::pair<Contact, std::string>>& contact_names() {
   static const std::vector<std::pair<Contact, std::string>> names = {
@@ -71,7 +71,7 @@ void write_motion(StateLines& lines, const std::string& header, const MotionStat
 
 Instant<double> read_instant(const StateTable& table, const System& system) {
   const Instant<double> instant{table.count("period"), table.size("local")};
-  if (instant.period > kMostPeriods || (!system.forcing() && instant.period != 0))
+  if (instant.period > kMostCountedPeriods || (!system.forcing() && instant.period != 0))
     table.fail("period", "the scene has no such forcing period");
   if (system.forcing() && instant.local > system.period())
     table.fail("local", "it must not exceed the scene's forcing period");

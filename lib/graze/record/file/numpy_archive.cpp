@@ -16,8 +16,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "'<f8' is how numbers lie in memory");
 
-constexpr std::size_t kBlock = std::size_t{1} << 20;  // numbers
-constexpr std::size_t kPiece = std::size_t{1} << 20;  // bytes
+constexpr std::size_t kBlock = std::size_t{1} << 20;         // numbers
+constexpr std::size_t kArchivePiece = std::size_t{1} << 20;  // bytes
 
 // What stands before the numbers of an array; these begin at a multiple of 64 bytes.
 std::string array_head(std::size_t count) {
@@ -124,8 +124,8 @@ void NumpyArchive::read_column(std::size_t column,
     const std::size_t rows = std::min(block_rows_, count_ - first);
     const std::size_t begin = (first * columns_.size() + column * rows) * sizeof(double);
     const std::size_t end = begin + rows * sizeof(double);
-    for (std::size_t at = begin; at < end; at += kPiece)
-      use(blocks_.piece(at, std::min(kPiece, end - at)));
+    for (std::size_t at = begin; at < end; at += kArchivePiece)
+      use(blocks_.piece(at, std::min(kArchivePiece, end - at)));
   }
 }
 

@@ -17,7 +17,7 @@ namespace graze {
 namespace {
 
 // What the numbers of the file mean; another meaning is another format.
-constexpr long long kFormat = 2;
+constexpr long long kStateFormat = 2;
 
 void write_totals(StateLines& lines, const RunTotals& totals) {
   lines.table("[totals]");
@@ -139,10 +139,10 @@ void check_origin(const Node& root, const std::string& name, const std::string& 
     throw InputError(root.place.location(), "graze_state",
                      "the key is missing, this is not the state of a run");
   const auto* number = format->as<std::int64_t>();
-  if (!number || *number != kFormat)
+  if (!number || *number != kStateFormat)
     throw InputError(format->place.location(), "graze_state",
                      fmt::format("{} is the format of another version, this one reads {}",
-                                 node_description(*format), kFormat));
+                                 node_description(*format), kStateFormat));
   const auto place_of = [&](const char* key) {
     const Node* node = find_member(*members, key);
     return (node ? *node : root).place.location();
@@ -171,7 +171,7 @@ void check_origin(const Node& root, const std::string& name, const std::string& 
 std::string write_run_state(const CutRun& cut) {
   const RunState& state = cut.state;
   StateLines lines("The state of a run: graze simulate SCENE --resume FILE goes on from it.");
-  lines.count("graze_state", kFormat);
+  lines.count("graze_state", kStateFormat);
   lines.text("version", quoted(cut.version));
   lines.text("scene_sha256", quoted(cut.scene_sha256));
   lines.text("outcome", quoted(cut.outcome));

@@ -23,9 +23,9 @@ namespace graze {
 namespace {
 
 // What the numbers of the file mean; another meaning is another format.
-constexpr long long kFormat = 1;
+constexpr long long kSpecialFormat = 1;
 // As many as a scene or a search is allowed.
-constexpr long long kMostPeriods = 1'000'000;
+constexpr long long kMostOrbitPeriods = 1'000'000;
 
 constexpr std::array<SpecialKind, 7> kKinds = {
     SpecialKind::kFold,        SpecialKind::kPeriodDoubling, SpecialKind::kTorus,
@@ -107,7 +107,7 @@ void write_point(StateLines& lines, const SpecialOrbit& point) {
 
 int read_period(const StateTable& table) {
   const long long period = table.count("period");
-  if (period < 1 || period > kMostPeriods) table.fail("period", "an orbit has no such period");
+  if (period < 1 || period > kMostOrbitPeriods) table.fail("period", "an orbit has no such period");
   return static_cast<int>(period);
 }
 
@@ -212,10 +212,10 @@ void check_origin(const Node& root, const Scene& scene) {
     throw InputError(root.place.location(), "graze_special",
                      "the key is missing, these are not the special points of a run");
   const auto* number = format->as<std::int64_t>();
-  if (!number || *number != kFormat)
+  if (!number || *number != kSpecialFormat)
     throw InputError(format->place.location(), "graze_special",
                      fmt::format("{} is the format of another version, this one reads {}",
-                                 node_description(*format), kFormat));
+                                 node_description(*format), kSpecialFormat));
   const Node* sha = find_member(*members, "scene_sha256");
   const auto* word = sha ? sha->as<std::string>() : nullptr;
   if (!word || *word != sha256(write_scene(scene)))
@@ -229,7 +229,7 @@ std::string write_special_points(const SpecialPoints& special) {
   StateLines lines(
       "Special points with their orbits: graze continue SCENE --restart DIR --label ID goes on "
       "from one.");
-  lines.count("graze_special", kFormat);
+  lines.count("graze_special", kSpecialFormat);
   lines.word("version", special.version);
   lines.word("scene_sha256", special.scene_sha256);
   StateLines body;

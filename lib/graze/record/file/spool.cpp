@@ -10,7 +10,7 @@ namespace graze {
 namespace {
 
 constexpr std::size_t kLongest = 1024 * 1024;  // bytes in memory
-constexpr std::size_t kPiece = 64 * 1024;
+constexpr std::size_t kSpoolPiece = 64 * 1024;
 
 }  // namespace
 
@@ -39,8 +39,8 @@ void Spool::read(const TextSink& sink) {
     if (!short_.empty()) sink(short_);
     return;
   }
-  for (std::size_t done = 0; done < size_; done += kPiece)
-    sink(piece(done, std::min(kPiece, size_ - done)));
+  for (std::size_t done = 0; done < size_; done += kSpoolPiece)
+    sink(piece(done, std::min(kSpoolPiece, size_ - done)));
 }
 
 std::string Spool::piece(std::size_t position, std::size_t size) {

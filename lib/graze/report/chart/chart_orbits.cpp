@@ -14,7 +14,7 @@ namespace graze {
 namespace {
 
 constexpr std::size_t kMostOrbits = 8;
-constexpr int kSamplesPerPeriod = 400;
+constexpr int kChartSamplesPerPeriod = 400;
 
 using Flights = std::vector<std::vector<CurveSample>>;
 
@@ -66,7 +66,7 @@ class OrbitRow {
     motion_.height = portrait_.height = 3.0;
     motion_.heading = heading_of(orbit, units);
     portrait_.levels = {0.0};
-    flights_ = orbit_curve(system, orbit, place.row, kSamplesPerPeriod);
+    flights_ = orbit_curve(system, orbit, place.row, kChartSamplesPerPeriod);
     add_curves();
     add_impacts();
     add_stuck();

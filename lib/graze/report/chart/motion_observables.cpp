@@ -12,7 +12,7 @@
 namespace graze {
 namespace {
 
-constexpr std::size_t kMostPlaces = 4;  // with axes of their own
+constexpr std::size_t kMostObservedPlaces = 4;  // with axes of their own
 // Next to grazing multipliers have no bound; the axis shows those that tell something.
 constexpr double kLargestMultiplier = 4.0;
 
@@ -79,7 +79,7 @@ void add_stroboscopic(const DiagramRecord& record, Observables& list) {
   const bool has_curves = !record.branches.shown && !record.curves.empty();
   std::size_t shown = 0;
   for (const SeenPlace& place : places_of(record.branches.system)) {
-    if (shown++ == kMostPlaces) break;
+    if (shown++ == kMostObservedPlaces) break;
     const int stop = place.stops.front().index;
     const auto index = static_cast<std::size_t>(stop);
     const std::string which = stops > 1 ? fmt::format("stop {}", stop + 1) : "the stop";

@@ -21,11 +21,11 @@ namespace {
 std::string csv_cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
 
 // Of the first impact; not a number where the orbit has none, at rest on its stop.
-double first_phase(const Orbit& orbit) {
+double phase_of_first(const Orbit& orbit) {
   return orbit.impacts.empty() ? NAN : orbit.impacts.front().phase;
 }
 
-double first_speed(const Orbit& orbit) {
+double speed_of_first(const Orbit& orbit) {
   return orbit.impacts.empty() ? NAN : orbit.impacts.front().speed;
 }
 
@@ -212,8 +212,8 @@ ResultTable branches_table(const BranchRecord& record) {
       const OrbitBranchPoint& point = branch.points[k];
       const Orbit& orbit = point.orbit;
       table.add(branch.id, branch.component, branch.pattern.period, orbit.impacts.size(),
-                point.value, first_phase(orbit), first_speed(orbit), orbit.stable, orbit.admissible,
-                point.unstable_multipliers, orbit.clearance, branch.sticks());
+                point.value, phase_of_first(orbit), speed_of_first(orbit), orbit.stable,
+                orbit.admissible, point.unstable_multipliers, orbit.clearance, branch.sticks());
       add_amplitudes(record.amplitudes.places,
                      record.amplitudes.empty() ? nullptr : &record.amplitudes.branches[i].points[k],
                      table);

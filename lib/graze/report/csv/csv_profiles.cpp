@@ -5,7 +5,7 @@
 namespace graze {
 namespace {
 
-constexpr int kSamplesPerPeriod = 200;
+constexpr int kProfileSamplesPerPeriod = 200;
 
 }  // namespace
 
@@ -20,8 +20,8 @@ ResultTable profiles_table(const OrbitRecord& record) {
     // Every place is sampled at the same instants.
     std::vector<std::vector<std::vector<CurveSample>>> curves;
     for (const MeasuredPlace& place : record.places)
-      curves.push_back(
-          orbit_curve(record.system, record.found.orbits[k], place.seen.row, kSamplesPerPeriod));
+      curves.push_back(orbit_curve(record.system, record.found.orbits[k], place.seen.row,
+                                   kProfileSamplesPerPeriod));
     for (std::size_t flight = 0; !curves.empty() && flight < curves[0].size(); ++flight)
       for (std::size_t i = 0; i < curves[0][flight].size(); ++i) {
         const double theta = curves[0][flight][i].theta;

@@ -16,7 +16,7 @@
 namespace graze {
 namespace {
 
-constexpr std::size_t kMostPlaces = 3;
+constexpr std::size_t kMostOrbitPlaces = 3;
 constexpr double kSamplesPerTurn = 24.0;  // of the fastest mode, which is seen in a phase portrait
 constexpr int kFewest = 128, kLeastPerPeriod = 32;
 constexpr long long kShownPeriods = 12;     // of a motion that does not repeat
@@ -85,7 +85,7 @@ std::vector<SeenPlace> places_seen(const System& system, int first_stop) {
                        [&](const SeenStop& stop) { return stop.index == first_stop; });
   };
   std::stable_partition(places.begin(), places.end(), has_it);
-  if (places.size() > kMostPlaces) places.resize(kMostPlaces);
+  if (places.size() > kMostOrbitPlaces) places.resize(kMostOrbitPlaces);
   return places;
 }
 

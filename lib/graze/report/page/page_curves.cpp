@@ -9,7 +9,7 @@
 namespace graze {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoPoint = std::numeric_limits<double>::quiet_NaN();
 
 // The plane that distances along a branch are measured in.
 PicturePlane plane_of(const BranchRecord& record, const MotionObservable& observable) {
@@ -82,7 +82,7 @@ Json page_values(const std::vector<MotionObservable>& observables) {
       std::vector<std::int32_t> first{0};
       for (const std::vector<double>& heights : curve.points) {
         if (observable.is_of_motion)
-          of.push_back(heights.empty() ? kNone : heights.front());
+          of.push_back(heights.empty() ? kNoPoint : heights.front());
         else
           of.insert(of.end(), heights.begin(), heights.end());
         first.push_back(static_cast<std::int32_t>(of.size()));

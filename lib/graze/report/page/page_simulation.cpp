@@ -15,7 +15,7 @@
 namespace graze {
 namespace {
 
-constexpr std::size_t kMostPlaces = 4;  // as in the picture
+constexpr std::size_t kMostRunPlaces = 4;  // as in the picture
 
 struct PageCurve {
   std::string name, colour;
@@ -28,7 +28,7 @@ class SimulationPage {
  public:
   explicit SimulationPage(const SimulationRecord& record)
       : record_(record), seen_(motion_seen(record)) {
-    places_left_out_ = seen_.places.size() - std::min(seen_.places.size(), kMostPlaces);
+    places_left_out_ = seen_.places.size() - std::min(seen_.places.size(), kMostRunPlaces);
     seen_.places.resize(seen_.places.size() - places_left_out_);
   }
 

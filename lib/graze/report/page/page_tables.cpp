@@ -20,7 +20,7 @@ namespace graze {
 namespace {
 
 constexpr const char* kNothing = "–";
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 // "−3.4·10⁻⁵"
 std::string number_text(double value, int digits) {
@@ -69,7 +69,7 @@ auto each(const List& list, const Part& part) {
   return parts;
 }
 
-double known(const std::optional<double>& value) { return value.value_or(kNone); }
+double known(const std::optional<double>& value) { return value.value_or(kNoNumber); }
 
 PageTable parameters_table(const FitResult& result) {
   PageTable table{
@@ -105,7 +105,7 @@ PageTable motions_table(const ComparisonRecord& record) {
   Columns table("Motions");
   const auto of_first = [](double RunImpact::*part) {
     return [part](const ComparedMotion& motion) {
-      return motion.first.empty() ? kNone : motion.first.front().*part;
+      return motion.first.empty() ? kNoNumber : motion.first.front().*part;
     };
   };
   const std::vector<ComparedMotion>& motions = record.motions;
@@ -225,7 +225,7 @@ std::vector<PageTable> page_tables(const RunDiagramRecord& record) {
   const std::vector<ValueRun>& runs = record.runs;
   const auto of_first = [](double RunImpact::*part) {
     return [part](const ValueRun& run) {
-      return run.impacts.empty() ? kNone : run.impacts.front().*part;
+      return run.impacts.empty() ? kNoNumber : run.impacts.front().*part;
     };
   };
   table.numbers(parameter_title(record.parameter), record.unit,

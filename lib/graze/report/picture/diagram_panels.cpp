@@ -8,7 +8,7 @@
 namespace graze {
 namespace {
 
-constexpr std::size_t kMostPlaces = 4;
+constexpr std::size_t kMostPanelPlaces = 4;
 
 const Look& look_of(const SweepRow& row) {
   return dot_look(row.status == SweepStatus::kNotPeriodic ? "wild" : "periodic");
@@ -60,7 +60,7 @@ std::vector<DiagramPanel> diagram_panels(const BranchRecord& record, const Diagr
     // Of several observables of a motion the picture shows the first, and displacements everywhere.
     const bool is_main = &observable == observables.data() ||
                          (!record.shown && observable.key.starts_with("displacement_") &&
-                          panels.size() < kMostPlaces);
+                          panels.size() < kMostPanelPlaces);
     if (!is_main && !(of_multipliers && multipliers)) continue;
     panels.push_back(panel_of(observable, swept));
     panels.back().scales = is_main;

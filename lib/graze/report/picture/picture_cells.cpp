@@ -14,14 +14,14 @@
 namespace graze {
 namespace {
 
-constexpr double kHeight = 0.75;  // of the picture over its width, without a legend
+constexpr double kCellsHeight = 0.75;  // of the picture over its width, without a legend
 // Cells without a number because their motions meet no stop.
 constexpr std::array kClear = {"clear of the stops", "both clear"};
 // Of an SVG, as rectangles: 1 MB. Browsers smooth an image, which mixes the colours of large cells
 // to those of others; of more cells most are smaller than a hundredth of the plane.
 constexpr std::size_t kMostRectangles = 10'000;
 // Columns of the legend, of names that are short and of others.
-constexpr std::size_t kColumns = 3, kColumnsOfLong = 2, kLong = 14;
+constexpr std::size_t kColumns = 3, kColumnsOfLong = 2, kLongLegend = 14;
 
 // Colours of equal steps in lightness, dark to bright (after M. Kuhn's and N. Smith's viridis), and
 // two hues away from zero.
@@ -85,7 +85,7 @@ class CellPicture {
     columns_ = kColumns;
     std::vector<std::string> legend;
     for (const auto& [name, colour] : entries) {
-      if (name.size() > kLong) columns_ = kColumnsOfLong;
+      if (name.size() > kLongLegend) columns_ = kColumnsOfLong;
       legend.push_back(
           fmt::format("NaN with boxes lc rgb '{}' lw 0.5 fs solid border lc rgb '{}' "
                       "title {}",
@@ -107,12 +107,12 @@ class CellPicture {
       label_loci(*loci_, plane, request_.labels, room, script_);
     }
     legend_.insert(legend_.end(), loci_drawn_.legend.begin(), loci_drawn_.legend.end());
-    const double more = kHeight * legend_height(legend_.size(), columns_);
-    proportion_ = kHeight + more;
+    const double more = kCellsHeight * legend_height(legend_.size(), columns_);
+    proportion_ = kCellsHeight + more;
     Margins margins;
     margins.right = right;
-    margins.bottom = (kHeight * margins.bottom + more) / proportion_;
-    margins.top = kHeight *
+    margins.bottom = (kCellsHeight * margins.bottom + more) / proportion_;
+    margins.top = kCellsHeight *
                   (has_hertz_axis(plane_.x.name, x_.unit()) ? kHertzMargin : margins.top) /
                   proportion_;
     set_margins(script_, margins);
@@ -168,7 +168,7 @@ class CellPicture {
   std::vector<std::string> legend_;
   std::size_t columns_ = kColumns;
   CellBar bar_;
-  double proportion_ = kHeight;
+  double proportion_ = kCellsHeight;
 };
 
 }  // namespace

@@ -10,11 +10,11 @@
 namespace graze {
 namespace {
 
-constexpr double kWidth = 12.0;
-constexpr double kLeft = 2.5, kRight = 0.5, kRightWithLabels = 1.85;
+constexpr double kColumnWidth = 12.0;
+constexpr double kColumnLeft = 2.5, kColumnRight = 0.5, kRightWithLabels = 1.85;
 constexpr double kLegend = 0.65, kNoLegend = 0.3;  // at the head
-constexpr double kBetween = 0.35;                  // two panels over the same time axis
-constexpr double kAxisText = 1.5;                  // tics and name of a horizontal axis
+constexpr double kBetweenColumnPanels = 0.35;      // two panels over the same time axis
+constexpr double kColumnAxisText = 1.5;            // tics and name of a horizontal axis
 constexpr double kNextInRow = 1.7;                 // left of the second panel in the row, its tics
 constexpr double kNamePlace = 0.02;                // of a vertical axis, as a part of the width
 
@@ -22,14 +22,14 @@ constexpr double kNamePlace = 0.02;                // of a vertical axis, as a p
 
 void PanelColumn::lay_out(std::vector<double> panels, bool row, bool legend, bool labels) {
   panels_ = std::move(panels);
-  right_ = labels ? kRightWithLabels : kRight;
+  right_ = labels ? kRightWithLabels : kColumnRight;
   top_ = legend ? kLegend : kNoLegend;
   total_ = std::accumulate(panels_.begin(), panels_.end(), top_) +
-           static_cast<double>(panels_.size() - 1) * kBetween + kAxisText;
-  if (row) total_ += kBetween + kRow + kAxisText;
+           static_cast<double>(panels_.size() - 1) * kBetweenColumnPanels + kColumnAxisText;
+  if (row) total_ += kBetweenColumnPanels + kRow + kColumnAxisText;
 }
 
-double PanelColumn::proportion() const { return total_ / kWidth; }
+double PanelColumn::proportion() const { return total_ / kColumnWidth; }
 
 void PanelColumn::set_time_axis(const AxisRange& range, const std::string& unit,
                                 const std::string& name) {
@@ -53,7 +53,7 @@ void PanelColumn::begin_panel(const AxisRange& range, const std::string& name,
                               const std::string& unit) {
   height_ = panels_[begun_++];
   vertical_ = range;
-  set_box(kLeft, kWidth - right_);
+  set_box(kColumnLeft, kColumnWidth - right_);
   script_.command("set yrange " + range.text());
   script_.command(fmt::format("set ytics {:.6g}", range.tic_step(height_ < kPanel ? 3 : 6)));
   name_vertical(name, unit);
@@ -65,21 +65,21 @@ void PanelColumn::begin_panel(const AxisRange& range, const std::string& name,
 void PanelColumn::end_panel(const std::vector<std::string>& layers) {
   script_.plot(layers);
   clear_marks();
-  top_ += height_ + kBetween;
-  if (begun_ == panels_.size()) top_ += kAxisText;
+  top_ += height_ + kBetweenColumnPanels;
+  if (begun_ == panels_.size()) top_ += kColumnAxisText;
 }
 
 void PanelColumn::begin_in_row(std::size_t i, std::size_t count, const AxisRange& x,
                                const AxisRange& y) {
   height_ = kRow;
   vertical_ = y;
-  const double width = 0.5 * (kWidth - kLeft - kNextInRow - kRight);
+  const double width = 0.5 * (kColumnWidth - kColumnLeft - kNextInRow - kColumnRight);
   if (count == 1)
-    set_box(kLeft, kWidth - right_);
+    set_box(kColumnLeft, kColumnWidth - right_);
   else if (i == 0)
-    set_box(kLeft, kLeft + width);
+    set_box(kColumnLeft, kColumnLeft + width);
   else
-    set_box(kWidth - kRight - width, kWidth - kRight);
+    set_box(kColumnWidth - kColumnRight - width, kColumnWidth - kColumnRight);
   script_.command("set xrange " + x.text());
   script_.command("set yrange " + y.text());
   script_.command(fmt::format("set xtics {:.6g}", x.tic_step(count == 1 ? 7 : 4)));
@@ -99,7 +99,7 @@ void PanelColumn::set_legend() {
   script_.command(fmt::format(
       "set key at screen {:.4g}, screen {:.4g}*body right center horizontal Left reverse "
       "samplen 1.5 font small",
-      1.0 - right_ / kWidth, 1.0 - 0.5 * kLegend / total_));
+      1.0 - right_ / kColumnWidth, 1.0 - 0.5 * kLegend / total_));
 }
 
 void PanelColumn::remark(const std::string& text) {
@@ -109,7 +109,7 @@ void PanelColumn::remark(const std::string& text) {
 
 void PanelColumn::note(const std::string& text) {
   script_.command(fmt::format("set label {} at graph 0.01, graph {:.4g} left font medium",
-                              gnuplot_string(text), 1.0 + 0.4 * kBetween / height_));
+                              gnuplot_string(text), 1.0 + 0.4 * kBetweenColumnPanels / height_));
 }
 
 void PanelColumn::draw_zero_line() {
@@ -121,8 +121,8 @@ void PanelColumn::draw_zero_line() {
 }
 
 void PanelColumn::set_box(double left, double right) {
-  set_margins(script_, {.left = left / kWidth,
-                        .right = 1.0 - right / kWidth,
+  set_margins(script_, {.left = left / kColumnWidth,
+                        .right = 1.0 - right / kColumnWidth,
                         .bottom = 1.0 - (top_ + height_) / total_,
                         .top = top_ / total_});
 }

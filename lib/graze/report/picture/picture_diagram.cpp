@@ -14,12 +14,13 @@ namespace graze {
 namespace {
 
 // Heights as parts of the picture's width.
-constexpr double kOnePanel = 0.75;                // of a picture with one, in all
-constexpr double kPanel = 0.36, kBetween = 0.05;  // of several: each, and what is between two
-constexpr int kPixels = 2000;                     // across a picture of 12 cm
-constexpr double kWidth = 12.0;                   // cm
-constexpr std::size_t kColumns = 2;               // of the legend: names of points are long
-constexpr double kThin = 0.55;                    // of curves over dots, by those without
+constexpr double kOnePanel = 0.75;  // of a picture with one, in all
+constexpr double kPanel = 0.36,
+                 kBetweenDiagramPanels = 0.05;  // of several: each, and what is between two
+constexpr int kDiagramPixels = 2000;            // across a picture of 12 cm
+constexpr double kDiagramWidth = 12.0;          // cm
+constexpr std::size_t kDiagramColumns = 2;      // of the legend: names of points are long
+constexpr double kThin = 0.55;                  // of curves over dots, by those without
 
 // One pair of axes with what is drawn in it, in the axes' units.
 struct DrawnPanel {
@@ -128,33 +129,35 @@ class DiagramPicture {
   }
 
   void lay_out() {
-    const double legend = kOnePanel * legend_height(legend_entries().size(), kColumns);
+    const double legend = kOnePanel * legend_height(legend_entries().size(), kDiagramColumns);
     Margins margins;  // of a single panel, as parts of the width
     margins.bottom = kOnePanel * margins.bottom + legend;
     margins.top =
         kOnePanel * (has_hertz_axis(parameter(), record_.unit) ? kHertzMargin : margins.top);
     const auto count = static_cast<double>(drawn_.size());
     panel_height_ = drawn_.size() == 1 ? kOnePanel - margins.top - margins.bottom : kPanel;
-    height_ = margins.top + count * panel_height_ + (count - 1.0) * kBetween + margins.bottom;
+    height_ = margins.top + count * panel_height_ + (count - 1.0) * kBetweenDiagramPanels +
+              margins.bottom;
     margins_ = margins;
   }
 
   const std::string& parameter() const { return record_.traced.parameter; }
   int canvas_width() const {
-    return static_cast<int>(kPixels * (1.0 - margins_.left - margins_.right));
+    return static_cast<int>(kDiagramPixels * (1.0 - margins_.left - margins_.right));
   }
-  int panel_pixels() const { return static_cast<int>(kPixels * panel_height_); }
+  int panel_pixels() const { return static_cast<int>(kDiagramPixels * panel_height_); }
 
   void draw(std::size_t i) {
     const DrawnPanel& panel = drawn_[i];
     const bool last = i + 1 == drawn_.size();
-    const double top = margins_.top + static_cast<double>(i) * (panel_height_ + kBetween);
+    const double top =
+        margins_.top + static_cast<double>(i) * (panel_height_ + kBetweenDiagramPanels);
     Margins margins = margins_;
     margins.top = top / height_;
     margins.bottom = 1.0 - (top + panel_height_) / height_;
     script_.command("unset label\nunset arrow\nunset key");
     set_margins(script_, margins);
-    if (last) set_legend(script_, margins, kColumns);
+    if (last) set_legend(script_, margins, kDiagramColumns);
     set_parameter_axis(script_, parameter(), x_.range(), x_.unit(),
                        {.below = last, .above = i == 0}, x_.is_log());
     panel.axis.set_vertical(script_, drawn_.size() > 1 ? 5 : 8);
@@ -183,8 +186,8 @@ class DiagramPicture {
   }
 
   void label(const DrawnPanel& panel) {
-    LabelRoom room(panel.plane, kWidth * (1.0 - margins_.left - margins_.right),
-                   kWidth * panel_height_);
+    LabelRoom room(panel.plane, kDiagramWidth * (1.0 - margins_.left - margins_.right),
+                   kDiagramWidth * panel_height_);
     for (const DiagramPanel::Dot& dot : panel.panel.dots)
       room.add_dot(x_.of(dot.value), panel.axis.of(dot.height));
     panel.branches->label(script_, room, panel.panel.scales ? request_.labels : LabelChoice::kNone);

@@ -8,7 +8,7 @@ namespace graze {
 namespace {
 
 constexpr double kProportion = 0.75;  // height by width, without the tints' legend
-constexpr std::size_t kColumns = 2;
+constexpr std::size_t kLociColumns = 2;
 
 void draw_regions(const StableRegions& regions, const PicturePlane& plane, LabelRoom& room,
                   GnuplotScript& script, LociDrawn& drawn) {
@@ -45,7 +45,7 @@ LociPicture loci_picture(const PictureRequest& request, const LociRecord& record
                     script, drawn);
   label_loci(traced, plane, request.labels, room, script);
   // The legend takes its room below, not from the axes.
-  const double legend = kProportion * legend_height(drawn.legend.size(), kColumns);
+  const double legend = kProportion * legend_height(drawn.legend.size(), kLociColumns);
   picture.proportion = kProportion + legend;
   Margins margins;
   margins.bottom = (kProportion * margins.bottom + legend) / picture.proportion;
@@ -53,7 +53,7 @@ LociPicture loci_picture(const PictureRequest& request, const LociRecord& record
                 (has_hertz_axis(traced.first, record.unit) ? kHertzMargin : margins.top) /
                 picture.proportion;
   set_margins(script, margins);
-  set_legend(script, margins, kColumns);
+  set_legend(script, margins, kLociColumns);
   set_parameter_axis(script, traced.first, first.range(), first.unit(), {}, first.is_log());
   second.set_vertical(script, 8);
   name_vertical_axis(script, parameter_title(traced.second), second.unit());

@@ -14,7 +14,7 @@ enum Tint : int { kAsked, kDoubled, kClear, kAskedAndMore, kSeveral, kSticking, 
 
 // The smallest place that a label takes, as parts of the axes: so much for each character and for
 // each line.
-constexpr double kCharacter = 0.014, kLine = 0.055;
+constexpr double kRegionCharacter = 0.014, kRegionLine = 0.055;
 constexpr std::size_t kMostLabels = 24;
 
 int tint_of(const StableNames& stable, int period, int impacts) {
@@ -83,8 +83,8 @@ std::optional<Room> room_for(const StableRegions& regions, int area,
                              const std::vector<std::string>& lines) {
   std::size_t longest = 0;
   for (const std::string& line : lines) longest = std::max(longest, line.size());
-  const double wide = kCharacter * static_cast<double>(longest) * regions.columns;
-  const double high = kLine * static_cast<double>(lines.size()) * regions.rows;
+  const double wide = kRegionCharacter * static_cast<double>(longest) * regions.columns;
+  const double high = kRegionLine * static_cast<double>(lines.size()) * regions.rows;
   CellSums sums(regions, area);
   const std::size_t inner = regions.areas[static_cast<std::size_t>(area)].inner;
   const auto columns = static_cast<std::size_t>(regions.columns);

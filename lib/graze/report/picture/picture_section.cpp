@@ -12,9 +12,9 @@
 namespace graze {
 namespace {
 
-constexpr double kHeight = 0.75;  // over the width
-constexpr int kPixels = 2000;     // across a picture of 12 cm
-constexpr std::size_t kColumns = 3;
+constexpr double kSectionHeight = 0.75;  // over the width
+constexpr int kSectionPixels = 2000;     // across a picture of 12 cm
+constexpr std::size_t kSectionColumns = 3;
 
 class SectionPicture {
  public:
@@ -47,7 +47,7 @@ class SectionPicture {
       if (const auto table = tables_.find(point.stop); table != tables_.end())
         table->second.row({x_unit_.factor * point.across, y_unit_.factor * point.up});
     std::erase_if(tables_, [](const auto& entry) { return entry.second.empty(); });
-    if (tables_.size() > 1) margins_.bottom += legend_height(tables_.size(), kColumns);
+    if (tables_.size() > 1) margins_.bottom += legend_height(tables_.size(), kSectionColumns);
   }
 
   GnuplotScript script(bool as_pixels) const {
@@ -77,7 +77,7 @@ class SectionPicture {
     }
     if (!as_pixels) layers = write_dots(script, 0.16);
     if (tables_.size() > 1) {
-      set_legend(script, margins_, kColumns);
+      set_legend(script, margins_, kSectionColumns);
       for (const auto& [stop, table] : tables_)
         layers.push_back(fmt::format("NaN with points pt 7 ps 0.5 lc rgb '{}' title 'stop {}'",
                                      colour_of(stop), stop + 1));
@@ -102,10 +102,11 @@ class SectionPicture {
  private:
   // Pixels.
   int canvas_width() const {
-    return static_cast<int>(kPixels * (1.0 - margins_.left - margins_.right));
+    return static_cast<int>(kSectionPixels * (1.0 - margins_.left - margins_.right));
   }
   int canvas_height() const {
-    return static_cast<int>(kPixels * kHeight * (1.0 - margins_.top - margins_.bottom));
+    return static_cast<int>(kSectionPixels * kSectionHeight *
+                            (1.0 - margins_.top - margins_.bottom));
   }
   static const char* colour_of(int stop) {
     return curve_colours()[static_cast<std::size_t>(stop) % curve_colours().size()];
@@ -139,8 +140,8 @@ class SectionPicture {
 void draw_section(const PictureRequest& request, const SimulationRecord& record) {
   const SectionPicture picture(record);
   if (request.file.ends_with(".png"))
-    return draw_picture(request, record.info, picture.script(false), kHeight);
-  draw_picture(request, record.info, picture.script(true), kHeight, picture.dots());
+    return draw_picture(request, record.info, picture.script(false), kSectionHeight);
+  draw_picture(request, record.info, picture.script(true), kSectionHeight, picture.dots());
 }
 
 }  // namespace graze

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kMostMarks = 3'000;
 constexpr std::size_t kMostJumps = 200;  // beyond, their lines fill the panel
-constexpr std::size_t kMostPlaces = 4;
+constexpr std::size_t kMostPicturePlaces = 4;
 constexpr std::size_t kMostPortrayed = 20'000;  // points, which no band can stand for
 
 std::string line(const std::string& data, const char* colour, double width = 1.2) {
@@ -30,7 +30,7 @@ class SimulationPicture {
  public:
   explicit SimulationPicture(const SimulationRecord& record)
       : record_(record), seen_(motion_seen(record)), probes_(seen_.probes, record.info.units) {
-    places_left_out_ = seen_.places.size() - std::min(seen_.places.size(), kMostPlaces);
+    places_left_out_ = seen_.places.size() - std::min(seen_.places.size(), kMostPicturePlaces);
     seen_.places.resize(seen_.places.size() - places_left_out_);
     measure_motion();
     for (const SeenForce& seen : seen_.forces) force_range_.include(range_of(seen.force));

@@ -14,7 +14,7 @@ namespace {
 
 // Of what motions settle on; no power of two and no multiple of small orders, so that means do not
 // fall in step with what repeats within the period.
-constexpr std::size_t kSamplesPerPeriod = 509;
+constexpr std::size_t kMeasuredSamplesPerPeriod = 509;
 
 bool was_stopped(const Simulation& run) {
   return run.outcome == RunOutcome::kInterrupted || run.outcome == RunOutcome::kTimeBudget;
@@ -42,13 +42,13 @@ bool add_settled(const Scene& scene, const System& system, const SweepRow& row,
   SimulationOptions run = on_from_settled(scene, system, row, options);
   run.energy = true;
   run.stop = options.stop;
-  const std::size_t count = static_cast<std::size_t>(turns) * kSamplesPerPeriod;
+  const std::size_t count = static_cast<std::size_t>(turns) * kMeasuredSamplesPerPeriod;
   const bool repeats = row.motion.period > 0;
   const Vector& to_stop = system.stops.front().row;
   double energy = 0.0;
   std::size_t seen = 0;
   RunListeners listeners;
-  listeners.sample_rate = static_cast<double>(kSamplesPerPeriod) / system.period();
+  listeners.sample_rate = static_cast<double>(kMeasuredSamplesPerPeriod) / system.period();
   listeners.sample = [&](const Sample& sample) {
     // The end is the beginning of the next one.
     if (seen == count) return;
@@ -125,7 +125,7 @@ void compare_orbits(const ComparedMotion& one, const ComparedMotion& other,
   if (one.displacement.empty() || one.displacement.size() != other.displacement.size()) return;
   double least = std::numeric_limits<double>::infinity();
   std::size_t turn = 0;
-  for (std::size_t k = 0; k < one.displacement.size(); k += kSamplesPerPeriod) {
+  for (std::size_t k = 0; k < one.displacement.size(); k += kMeasuredSamplesPerPeriod) {
     const double difference_then = apart(one.displacement, other.displacement, k);
     if (difference_then >= least) continue;
     least = difference_then;

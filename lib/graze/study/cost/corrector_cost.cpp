@@ -16,7 +16,7 @@
 namespace graze {
 namespace {
 
-constexpr int kMostSteps = 12;
+constexpr int kMostCorrections = 12;
 constexpr double kRowSeconds = 0.2;
 // A solution is known this well, rad: Newton's last steps are rounding.
 constexpr double kLastDigits = 1e-14;
@@ -30,7 +30,7 @@ class NewtonCosts {
   void add(const Vector& start, bool predicted, std::vector<CorrectorCost>& rows) const {
     Vector x = start;
     double last = std::numeric_limits<double>::infinity();
-    for (int steps = 0; steps <= kMostSteps; ++steps) {
+    for (int steps = 0; steps <= kMostCorrections; ++steps) {
       CorrectorCost row;
       row.predicted = predicted;
       row.steps = steps;

@@ -19,7 +19,7 @@ constexpr int kColumns = 14;
 constexpr double kFirstStep = 1e-10, kLastStep = 1e-12;
 constexpr double kGrowth = 1.6;
 // A contact takes some hundred steps; with many modes as many more as these oscillate.
-constexpr int kMostSteps = 200000;
+constexpr int kMostContactSteps = 200000;
 
 Extended power(const Extended& x, double exponent) {
   if (exponent == 0.0) return 1;
@@ -242,7 +242,7 @@ class Follower {
 
   void run_to_end() {
     Extended h = kFirstStep * unit_;
-    for (int i = 0; i < kMostSteps; ++i) {
+    for (int i = 0; i < kMostContactSteps; ++i) {
       if (!goes_on()) return;
       const std::optional<Extended> left = time_left();
       const bool last = left && *left < kLastStep * unit_;

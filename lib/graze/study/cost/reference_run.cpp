@@ -15,7 +15,7 @@
 namespace graze {
 namespace {
 
-constexpr double kSamplesPerPeriod = 16.0;
+constexpr double kReferenceSamplesPerPeriod = 16.0;
 // A part of the speed of the motion that summing a chatter's tail from errs by its square: beyond
 // double precision, and far from the last digit of the reference.
 constexpr double kClosure = 1e-16;
@@ -39,7 +39,7 @@ class Reference {
         closure_(kClosure * speed_scale(system, start)),
         walk_(std::in_place, flying_, *motion_, closure_),
         piece_((system.forcing() ? std::min(system.period(), options.longest) : options.longest) /
-               kSamplesPerPeriod),
+               kReferenceSamplesPerPeriod),
         end_(options.longest),
         next_sample_(piece_) {
     motion_->stop_on(options.stop);
