@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #include "graze/base/errors.hpp"
 #include "graze/base/linalg/decompositions.hpp"
+#include "graze/fem/detail/judged_modes.hpp"
 #include "graze/fem/detail/masses.hpp"
 #include "graze/fem/detail/mode_polish.hpp"
 #include "graze/fem/detail/shift_invert.hpp"
@@ -36,11 +36,6 @@ double typical_square(const StructuralMatrices& structure) {
   const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
   std::nth_element(ratios.begin(), middle, ratios.end());
   return *middle;
-}
-
-[[noreturn]] void refuse_indefinite(const StructuralMatrices& structure, const std::string& why) {
-  throw InputError(
-      fmt::format("{}: the stiffness matrix is indefinite: {}", structure.stiffness_file, why));
 }
 
 // Above this no combination of degrees of freedom without mass is free but for rounding, which the
@@ -94,68 +89,6 @@ Matrix dense_vectors(const StructuralMatrices& structure, const Masses& masses,
   const Matrix seen = lower.transpose() * displaced(masses.rows(), Eigen::all);
   const SymmetricModes modes = symmetric_modes(0.5 * (seen + seen.transpose()));
   return displaced * modes.vectors.rowwise().reverse();
-}
-
-// By what twice the elastic energy of each column changes where every entry of the stiffness is
-// rounded for itself.
-Vector energy_roundings(const SparseMatrix& stiffness, const Matrix& columns) {
-  const Matrix squares = columns.cwiseAbs2();
-  const SparseMatrix entries = stiffness.cwiseProduct(stiffness);
-  const Matrix moved = entries * squares;
-  return 0.5 * std::numeric_limits<double>::epsilon() *
-         squares.cwiseProduct(moved).colwise().sum().cwiseSqrt().transpose();
-}
-
-// The first of the largest displacements is positive, so that the sign is the same in every run:
-// those that a symmetric structure has on both sides differ by rounding.
-double sign_of(const Vector& phi) {
-  const double large = (1.0 - 1e-6) * phi.cwiseAbs().maxCoeff();
-  const auto first =
-      std::find_if(phi.begin(), phi.end(), [=](double value) { return std::abs(value) >= large; });
-  return first != phi.end() && *first < 0.0 ? -1.0 : 1.0;
-}
-
-// Frequencies, the rigid ones among them, and residuals of vectors that are orthonormal in M.
-void judge(const StructuralMatrices& structure, Matrix vectors, StructuralModes& modes) {
-  const Matrix stiff = structure.stiffness * vectors;
-  const auto m = static_cast<std::size_t>(vectors.cols());
-  Vector squares(vectors.cols());
-  for (Eigen::Index j = 0; j < vectors.cols(); ++j) squares[j] = vectors.col(j).dot(stiff.col(j));
-  std::vector<Eigen::Index> order(m);
-  std::iota(order.begin(), order.end(), Eigen::Index{0});
-  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return squares[a] < squares[b]; });
-  const SparseMatrix absolute_k = structure.stiffness.cwiseAbs();
-  const SparseMatrix absolute_m = structure.mass.cwiseAbs();
-  modes.square_roundings.resize(vectors.cols());
-  const Vector roundings = energy_roundings(structure.stiffness, vectors);
-  modes.omega.resize(vectors.cols());
-  modes.residuals.resize(vectors.cols());
-  modes.shapes.resize(vectors.rows(), vectors.cols());
-  modes.rigid = 0;
-  for (std::size_t k = 0; k < m; ++k) {
-    const Eigen::Index j = order[k], at = static_cast<Eigen::Index>(k);
-    const Vector phi = vectors.col(j), size = phi.cwiseAbs();
-    const Vector scale_k = absolute_k * size;
-    const double limit = kRigidEnergy * size.dot(scale_k);
-    double square = squares[j];
-    if (square < -limit)
-      refuse_indefinite(
-          structure,
-          fmt::format("a mode has the square of a frequency {:.3g} (rad/s)^2, {:.2g} of what the "
-                      "entries of the matrix make of its shape and beyond their rounding, {:.2g}",
-                      square, square / size.dot(scale_k), kRigidEnergy));
-    if (square <= limit) {
-      square = 0.0;
-      ++modes.rigid;
-    }
-    modes.omega[at] = std::sqrt(square);
-    modes.square_roundings[at] = roundings[j];
-    const Vector residual = stiff.col(j) - square * (structure.mass * phi);
-    // Nothing acts on a body of its own that no stiffness holds: it has neither residual nor scale.
-    const double scale = (scale_k + square * (absolute_m * size)).norm();
-    modes.residuals[at] = scale > 0.0 ? residual.norm() / scale : 0.0;
-    modes.shapes.col(at) = sign_of(phi) * phi;
-  }
 }
 
 void keep_lowest(StructuralModes& modes, int count) {
@@ -222,7 +155,7 @@ void adapt_shift(const StructuralMatrices& structure, Shifted& shifted, int rank
                                                        std::min(12, rank - 1), before, 0);
   if (!vectors || !orthonormalise(structure.mass, *vectors)) return;
   StructuralModes first;
-  judge(structure, std::move(*vectors), first);
+  judge(structure, *vectors, first);
   if (first.rigid == first.count()) return;
   const double square = first.omega[first.rigid] * first.omega[first.rigid];
   if (square > -4.0 * before && !shifted.factorise_at(-square)) shifted.factorise_at(before);
@@ -239,7 +172,7 @@ bool find_sparse(const StructuralMatrices& structure, Shifted& shifted, int rank
         shift_invert_vectors(shifted.factors, structure.mass, rank,
                              std::min(sought + 4 * attempt, rank - 1), shifted.shift, attempt);
     if (!vectors || !polish(structure, shifted, *vectors)) continue;
-    judge(structure, std::move(*vectors), modes);
+    judge(structure, *vectors, modes);
     if (are_complete(structure, shifted, rank, count, modes)) return true;
   }
   return false;
@@ -304,7 +237,7 @@ StructuralModes lowest_modes(const StructuralMatrices& structure, int count, con
           fmt::format("{}: its modes cannot be told apart from those of a singular "
                       "mass matrix",
                       structure.mass_file));
-    judge(structure, std::move(vectors), modes);
+    judge(structure, vectors, modes);
     modes.counted = rank;
     modes.counted_below = modes.omega[rank - 1];
   } else if (!find_sparse(structure, shifted, rank, count, modes)) {
