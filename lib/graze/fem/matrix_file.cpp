@@ -52,7 +52,7 @@ LabelledMatrix read_matrix(const std::filesystem::path& given) {
   if (is_dmig) return read_dmig(lines, wanted);
   if (kind != ".mtx") return read_calculix(lines);
   TextLines ahead = lines;
-  return ahead.next() && starts_without_case(ahead.line(), "%%MatrixMarket")
+  return ahead.next_text() && starts_without_case(ahead.line(), "%%MatrixMarket")
              ? read_matrix_market(lines)
              : read_abaqus(lines);
 }
