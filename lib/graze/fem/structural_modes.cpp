@@ -42,51 +42,108 @@ double typical_square(const StructuralMatrices& structure) {
 // factors of long chains of elements gather.
 constexpr double kSafePivot = 1e-8;
 
-// K - shift M with its factors.
+// K - shift M with its factors. Motions that neither mass nor stiffness holds, which reduced
+// integration may leave (hourglasses), are held by a spring each, at one of their degrees of
+// freedom; no force of inertia moves them there.
 struct Shifted {
   Shifted(const StructuralMatrices& structure, const Masses& masses)
       : structure_(structure),
         masses_(masses),
+        stiffness(structure.stiffness),
         matrix(structure.stiffness + structure.mass),
         factors(matrix) {}
 
   // With a shift at which the matrix is safely positive definite.
   void factorise() {
-    const double typical = typical_square(structure_);
-    const bool found =
-        std::any_of(std::begin(kRelativeShifts), std::end(kRelativeShifts),
-                    [&](double relative) { return factorise_at(relative * typical); });
-    if (!found || factors.smallest_pivot() < kSafePivot) masses_.check_others();
+    bool found = factorise_at_some();
+    if (!found || factors.smallest_pivot().relative < kSafePivot) masses_.check_others();
+    if (!found && masses_.is_singular() && hold_idle()) found = factorise_at_some();
     if (found) return;
     refuse_indefinite(structure_,
                       fmt::format("it has an eigenvalue K phi = L M phi below {:.3g} (rad/s)^2, "
                                   "which shows at the degree of freedom {}",
-                                  shift, row_name(structure_, factors.failed_row())));
+                                  shift, row_name(structure_, weakest_row())));
   }
 
   // False where the matrix is not safely positive definite there.
   bool factorise_at(double there) {
     shift = there;
-    matrix = structure_.stiffness - shift * structure_.mass;
-    return factors.factorise(matrix) && factors.smallest_pivot() > kSingularPivot;
+    matrix = stiffness - shift * structure_.mass;
+    return factors.factorise(matrix) && factors.smallest_pivot().relative > kSingularPivot;
+  }
+
+  // Without the idle motions, so that they are orthogonal to them, K's diagonal being the metric.
+  void remove_idle(Matrix& vectors) const {
+    if (idle.cols() > 0) vectors -= idle * idle_forces().transpose() * vectors;
+  }
+  // Without what forces do along the idle motions.
+  void balance_idle(Matrix& forces) const {
+    if (idle.cols() > 0) forces -= idle_forces() * (idle.transpose() * forces);
   }
 
   const StructuralMatrices& structure_;
   const Masses& masses_;
   double shift = 0.0;
+  SparseMatrix stiffness;  // with the springs
   SparseMatrix matrix;
   SparseCholesky factors;
+  Matrix idle{};  // n x their number
+
+ private:
+  bool factorise_at_some() {
+    const double typical = typical_square(structure_);
+    return std::any_of(std::begin(kRelativeShifts), std::end(kRelativeShifts),
+                       [&](double relative) { return factorise_at(relative * typical); });
+  }
+
+  int weakest_row() const {
+    const int row = factors.failed_row();
+    return row < 0 ? factors.smallest_pivot().row : row;
+  }
+
+  // D Z (Z^T D Z)^-1, D the diagonal of K.
+  Matrix idle_forces() const {
+    const Matrix weighted = structure_.stiffness.diagonal().asDiagonal() * idle;
+    return weighted * Eigen::LLT<Matrix>(idle.transpose() * weighted)
+                          .solve(Matrix::Identity(idle.cols(), idle.cols()));
+  }
+
+  // At the last shift, where rigid bodies are held by their mass. False where a motion that is soft
+  // has mass or strain energy.
+  bool hold_idle() {
+    std::vector<int> rows;
+    const int most = structure_.size() - masses_.rank();
+    while (!factorise_at(shift)) {
+      const int row = weakest_row();
+      if (row < 0 || static_cast<int>(rows.size()) == most) return false;
+      rows.push_back(row);
+      stiffness.coeffRef(row, row) += structure_.stiffness.coeff(row, row);
+    }
+    Matrix forces = Matrix::Zero(structure_.size(), static_cast<Eigen::Index>(rows.size()));
+    for (std::size_t j = 0; j < rows.size(); ++j)
+      forces(rows[j], static_cast<Eigen::Index>(j)) = structure_.stiffness.coeff(rows[j], rows[j]);
+    idle = factors.solve(forces);
+    const auto is_none = [](const SparseMatrix& of, const Vector& z, double limit) {
+      const Vector size = z.cwiseAbs();
+      return std::abs(z.dot(of * z)) <= limit * size.dot(of.cwiseAbs() * size);
+    };
+    for (const auto& z : idle.colwise())
+      if (!is_none(structure_.stiffness, z, kRigidEnergy) ||
+          !is_none(structure_.mass, z, kNullMass))
+        return false;
+    return true;
+  }
 };
 
-// Modes of the flexibility that the masses see: the largest eigenvalues of L^T S^-1 L, M = L L^T,
+// Modes of the flexibility that the masses see: the largest eigenvalues of F^T S^-1 F, M = F F^T,
 // are those of the lowest modes.
 Matrix dense_vectors(const StructuralMatrices& structure, const Masses& masses,
                      const Shifted& shifted) {
-  const Matrix lower = Eigen::LLT<Matrix>(Matrix(masses.matrix())).matrixL();
-  Matrix loads = Matrix::Zero(structure.size(), masses.rank());
-  loads(masses.rows(), Eigen::all) = lower;
+  const Matrix factor = masses.factor();
+  Matrix loads = Matrix::Zero(structure.size(), factor.cols());
+  loads(masses.rows(), Eigen::all) = factor;
   const Matrix displaced = shifted.factors.solve(loads);
-  const Matrix seen = lower.transpose() * displaced(masses.rows(), Eigen::all);
+  const Matrix seen = factor.transpose() * displaced(masses.rows(), Eigen::all);
   const SymmetricModes modes = symmetric_modes(0.5 * (seen + seen.transpose()));
   return displaced * modes.vectors.rowwise().reverse();
 }
@@ -106,6 +163,7 @@ bool polish(const StructuralMatrices& structure, const Shifted& shifted, Matrix&
   vectors = shifted.factors.solve(Matrix(structure.mass * vectors));
   if (!orthonormalise(structure.mass, vectors)) return false;
   diagonalise(shifted.matrix, vectors);
+  shifted.remove_idle(vectors);
   return true;
 }
 
@@ -136,7 +194,7 @@ bool are_complete(const StructuralMatrices& structure, Shifted& shifted, int ran
     modes.not_counted = fmt::format("L D L^T without supernodes would take {:.1g} operations",
                                     factors.operations());
   } else {
-    const SparseMatrix matrix = structure.stiffness - shift * structure.mass;
+    const SparseMatrix matrix = shifted.stiffness - shift * structure.mass;
     modes.counted = factors.negative_eigenvalues(matrix);
     if (!modes.counted) modes.not_counted = "L D L^T without pivoting is not accurate enough";
   }
@@ -184,10 +242,13 @@ Matrix static_displacements(const StructuralMatrices& structure, const Shifted& 
                             const StructuralModes& modes, const Matrix& loads) {
   const Matrix rigid = modes.shapes.leftCols(modes.rigid);
   const Matrix rigid_load = structure.mass * rigid;
-  const auto elastic = [&](const Matrix& u) {
-    return Matrix(u - rigid * (rigid_load.transpose() * u));
+  const auto elastic = [&](Matrix u) {
+    u -= rigid * (rigid_load.transpose() * u);
+    shifted.remove_idle(u);
+    return u;
   };
-  const Matrix balanced = loads - rigid_load * (rigid.transpose() * loads);
+  Matrix balanced = loads - rigid_load * (rigid.transpose() * loads);
+  shifted.balance_idle(balanced);
   Matrix u = elastic(shifted.factors.solve(balanced));
   if (shifted.shift == 0.0) return u;
   for (int k = 0; k < 200; ++k) {
@@ -221,15 +282,19 @@ StructuralModes lowest_modes(const StructuralMatrices& structure, int count, con
   const Masses masses(structure);
   const int rank = masses.rank();
   if (count < 1 || count > rank)
-    throw InputError(fmt::format("{}: {} modes are asked for, the structure has {}",
-                                 structure.stiffness_file, count, mode_limit_text(structure)));
-  masses.check_definite();
+    throw InputError(fmt::format(
+        "{}: {} modes are asked for, the structure has {}", structure.stiffness_file, count,
+        masses.is_singular() ? fmt::format("{}, the rank of its mass matrix", rank)
+                             : mode_limit_text(structure)));
   Shifted shifted(structure, masses);
   shifted.factorise();
   StructuralModes modes;
   modes.massless = structure.size() - rank;
+  modes.massless_motions = static_cast<int>(masses.rows().size()) - rank;
+  modes.idle = static_cast<int>(shifted.idle.cols());
   modes.shift = shifted.shift;
-  modes.is_dense = structure.size() <= kDenseSize || rank <= std::max(kFewMasses, 3 * count - 1);
+  modes.is_dense = structure.size() <= kDenseSize ||
+                   (!masses.is_singular() && rank <= std::max(kFewMasses, 3 * count - 1));
   if (modes.is_dense) {
     Matrix vectors = dense_vectors(structure, masses, shifted);
     if (!orthonormalise(structure.mass, vectors) || !polish(structure, shifted, vectors))
