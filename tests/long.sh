@@ -11,6 +11,8 @@
 #   a thousand calls of each function, wrong arguments, and ten million rows on their way to NumPy;
 # - the Debian packages in a bare Debian 12, and lintian over them (tests/packages), where this runs as root
 #   and a mirror can be reached; the C interface from Octave (tests/c);
+# - matrices that CalculiX (Debian's calculix-ccx) writes of its eighteen element types, against its own
+#   frequencies (tests/calculix);
 # - the lowest 50 modes of an elastic block with 1e5 unknowns, against 120 s and 6 GiB;
 # - one command of each kind under valgrind, which sees reads of what was never written.
 # About an hour on two cores; the logs are left in build/long. Exit 1 when anything was found.
@@ -61,6 +63,12 @@ if [ "$(id -u)" -eq 0 ]; then
 else
   echo "left out: only root can make a bare system"
 fi
+
+echo "== matrices of CalculiX"
+{ command -v ccx || sudo -n apt-get install -y calculix-ccx || apt-get install -y calculix-ccx; } > "$logs/calculix.log" 2>&1
+rm -rf "$logs/calculix"
+python3 tests/calculix/check_elements.py build/graze "$logs/calculix" >> "$logs/calculix.log" 2>&1 ||
+  { failed=1; tail -n 20 "$logs/calculix.log"; }
 
 echo "== modes of a solid"
 { cmake --preset release -DGRAZE_BENCH=ON && cmake --build --preset release --target solid_modes; } \

@@ -3,6 +3,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "apps/program.hpp"
 
@@ -37,6 +38,54 @@ TEST(Modes, TellsThoseOfAFrameAndWritesThemForParaView) {
   EXPECT_EQ(json::parse(from_there.out)["modes"], document["modes"]);
   EXPECT_EQ(json::parse(from_there.out)["graze"]["scene_sha256"],
             document["graze"]["scene_sha256"]);
+}
+
+TEST(Modes, HintAtMassAndStiffnessThatAreExchanged) {
+  const std::string matrices = std::string(GRAZE_SOURCE_DIR) + "/data/matrices/portal_frame_";
+  const std::string exchanged = kFrame + " --set 'matrices.mass=\"" + matrices +
+                                "stiffness.mtx\"' --set 'matrices.stiffness=\"" + matrices +
+                                "mass.mtx\"'";
+  const std::string hint = "matrices.mass and matrices.stiffness seem to be exchanged";
+  EXPECT_NE(run_graze("check " + exchanged).err.find(hint), std::string::npos);
+  EXPECT_NE(run_graze("modes --json " + exchanged).out.find(hint), std::string::npos);
+  EXPECT_EQ(run_graze("modes --json " + kFrame).out.find(hint), std::string::npos);
+}
+
+// A chain of three masses whose mesh is the input file of a finite-element program: its sets hold
+// and meet, its elements are the cells. VTK has the middle node of a bent line behind its ends.
+TEST(Modes, OfAMeshAreDrawnByItsElements) {
+  const ScratchFolder folder;
+  const auto write = [&](const char* name, const std::string& text) {
+    std::ofstream(folder / name) << text;
+  };
+  write("m.mtx", "1,1,1,1,1\n2,1,2,1,2\n3,1,3,1,1\n");
+  write("k.mtx", "1,1,1,1,1\n2,1,1,1,-1\n2,1,2,1,2\n3,1,2,1,-1\n3,1,3,1,1\n");
+  write("mesh.inp",
+        "*NODE, NSET=ALL\n1,0,0,0\n2,1,0,0\n3,2,0,0\n*ELEMENT, TYPE=B32\n1,1,2,3\n*ELEMENT, "
+        "TYPE=S3R\n2,1,2,3\n*ELEMENT, TYPE=SPRINGA\n3,1,2\n*NSET, NSET=Root\n1,\n*NSET, "
+        "NSET=TIP\n3,\n");
+  write("s.toml",
+        "[matrices]\nmass = \"m.mtx\"\nstiffness = \"k.mtx\"\ncoordinates = \"mesh.inp\"\nmodes = "
+        "2\nconstraints = [\"ROOT.1\"]\n[[stop]]\nnode = \"tip.1\"\ngap = 1\nrestitution = .5\n");
+  const Finished done = run_graze("modes --json --out " + (folder / "out").string() + " " +
+                                  (folder / "s.toml").string());
+  ASSERT_EQ(done.code, 0) << done.err;
+  // The static flexibility of the end of two springs.
+  EXPECT_NEAR(json::parse(done.out)["stops"][0]["flexibility"].get<double>(), 2.0, 1e-14);
+  std::ostringstream drawn;
+  drawn << std::ifstream(folder / "out" / "mode_1.vtu").rdbuf();
+  const std::string text = drawn.str();
+  EXPECT_NE(text.find("NumberOfCells=\"3\""), std::string::npos) << text;
+  EXPECT_NE(text.find("0 2 1\n0 1 2\n0 1\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\n3\n6\n8\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\n21\n5\n2\n"), std::string::npos) << text;
+  // What two nodes have cannot be one stop, nor what is no set.
+  for (const char* node : {"ALL.1", "NONE.1", "TIP"}) {
+    const Finished refused =
+        run_graze("check " + (folder / "s.toml").string() + " --set 'stop.node=\"" + node + "\"'");
+    EXPECT_EQ(refused.code, 2) << node;
+    EXPECT_NE(refused.err.find("stop.node"), std::string::npos) << refused.err;
+  }
 }
 
 // The tip of a cantilever has the flexibility L^3/(3 E I), which its modes add up to.

@@ -109,6 +109,61 @@ TEST(StructuralModes, BodyWithoutStiffnessIsARigidBodyModeOfItsOwn) {
   EXPECT_EQ(lowest_modes(two_bodies(4.0, 0.0), 2).rigid, 2);
 }
 
+// A body a that no stiffness holds, joined to a chain by its mass alone: M = [a c; c m + c^2/a] at
+// the body and the first mass. Eliminated, it leaves the fixed chain of equal masses; in its
+// rigid-body mode the chain rests.
+TEST(StructuralModes, BodyJoinedByItsMassAloneIsARigidBodyMode) {
+  for (const int n : {2, 30, 700})
+    for (const double k : {1e-6, 250.0, 1e12}) {
+      SCOPED_TRACE(testing::Message() << n << " masses, k = " << k);
+      const double m = 0.3, a = 0.07, c = 0.05;
+      StructuralMatrices joined = chain(n + 1, m, k, false);
+      joined.stiffness.coeffRef(0, 0) = joined.stiffness.coeffRef(0, 1) = 0.0;
+      joined.stiffness.coeffRef(1, 0) = 0.0;
+      joined.mass.coeffRef(0, 0) = a;
+      joined.mass.coeffRef(0, 1) = joined.mass.coeffRef(1, 0) = c;
+      joined.mass.coeffRef(1, 1) = m + c * c / a;
+      const int count = std::min(n + 1, 12);
+      const StructuralModes modes = lowest_modes(joined, count);
+      EXPECT_EQ(modes.rigid, 1);
+      EXPECT_EQ(modes.omega[0], 0.0);
+      EXPECT_NEAR(modes.shapes(0, 0) * std::sqrt(a), 1.0, 1e-12);
+      EXPECT_EQ(modes.shapes.col(0).tail(n).cwiseAbs().maxCoeff(), 0.0);
+      EXPECT_LE(modes.residuals.maxCoeff(), 1e-12);
+      for (int j = 1; j < count; ++j) {
+        const double exact = 2.0 * std::sqrt(k / m) * std::sin(j * kPi / (2.0 * (n + 1)));
+        EXPECT_NEAR(modes.omega[j] / exact, 1.0, 1e-9) << j;
+      }
+    }
+}
+
+// The same of a body of two masses on a soft spring, which is rigid as a whole.
+TEST(StructuralModes, SoftBodyJoinedToAStiffStructureByItsMassIsRigid) {
+  for (const double soft : {1e-6, 1.0, 1e6}) {
+    StructuralMatrices joined = chain(5, 1.0, 1e9, false);
+    for (int i = 0; i < 2; ++i) {
+      joined.stiffness.coeffRef(i, i) = soft;
+      joined.stiffness.coeffRef(i, 1 - i) = -soft;
+    }
+    joined.stiffness.coeffRef(1, 2) = joined.stiffness.coeffRef(2, 1) = 0.0;
+    joined.mass.coeffRef(1, 2) = joined.mass.coeffRef(2, 1) = 0.2;
+    const StructuralModes modes = lowest_modes(joined, 5);
+    EXPECT_EQ(modes.rigid, 1) << soft;
+    EXPECT_NEAR(modes.shapes(0, 0) * std::sqrt(2.0), 1.0, 1e-9) << soft;
+    EXPECT_NEAR(modes.shapes(1, 0) * std::sqrt(2.0), 1.0, 1e-9) << soft;
+    EXPECT_GT(modes.omega[1], 0.1 * std::sqrt(soft)) << soft;
+  }
+}
+
+// A frequency far below the rounding of the others is one where no rounding enters it.
+TEST(StructuralModes, SlowBodyOfItsOwnKeepsItsFrequency) {
+  StructuralMatrices apart = chain(3, 1.0, 0.0, false);
+  for (const int i : {0, 1, 2}) apart.stiffness.coeffRef(i, i) = i == 1 ? 1e-24 : 1e6;
+  const StructuralModes modes = lowest_modes(apart, 3);
+  EXPECT_EQ(modes.rigid, 0);
+  EXPECT_NEAR(modes.omega[0] / 1e-12, 1.0, 1e-12);
+}
+
 // w_k = 2 sqrt(k/m) sin(k pi/(2 n)), k = 0 .. n - 1.
 TEST(StructuralModes, FreeChainHasOneRigidBodyMode) {
   for (const int n : {30, 2000}) {

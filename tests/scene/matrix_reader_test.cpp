@@ -41,6 +41,7 @@ class MatrixReader : public testing::Test {
   ScratchFolder folder_;
 };
 
+const std::string kLoad = "[forcing]\nkind = \"load\"\namplitude = 1.0\nfrequency = 2.0\n";
 const std::string kStop = "[[stop]]\nnode = \"2.1\"\ngap = 0.1\nrestitution = 0.5\n";
 
 TEST_F(MatrixReader, ModesLoadsAndPlacesFollowFromTheFiles) {
@@ -110,7 +111,8 @@ TEST_F(MatrixReader, CopiesShareTheModes) {
 }
 
 TEST_F(MatrixReader, WrittenSceneKnowsItsFiles) {
-  const std::string text = write_scene(read("direction = 1\nload = [\"1.1\", \"2.1\"]\n", kStop));
+  const std::string text =
+      write_scene(read("direction = 1\nload = [\"1.1\", \"2.1\"]\n", kLoad + kStop));
   const Scene again = parse_scene(text, "elsewhere/scene.toml");
   EXPECT_EQ(write_scene(again), text);
   EXPECT_EQ(again.stops[0].shape, read("", kStop).stops[0].shape);
@@ -122,6 +124,22 @@ TEST_F(MatrixReader, WrittenSceneKnowsItsFiles) {
     EXPECT_NE(std::string(error.what()).find("they have been changed since this scene was written"),
               std::string::npos)
         << error.what();
+  }
+}
+
+// A load that a moving base leaves idle was passed over without a word.
+TEST_F(MatrixReader, ALoadThatDoesNotActIsRefused) {
+  write("f.txt", "1.1 2.0\n");
+  for (const std::string load : {"load = [\"1.1\"]\n", "load_file = \"f.txt\"\n"}) {
+    const std::string name = load.substr(0, load.find(' '));
+    for (const std::string kind : {"", "kind = \"base\"\n"})
+      EXPECT_EQ(refusal("direction = 1\n" + load,
+                        "[forcing]\n" + kind + "amplitude = 1.0\nfrequency = 2.0\n"),
+                "scene.toml:6:1: matrices." + name +
+                    ": forcing moves the base and not this load: forcing.kind must be \"load\", or "
+                    "it must be left out");
+    EXPECT_EQ(refusal(load), "scene.toml:5:1: matrices." + name +
+                                 ": there is no [forcing] that it is for, it must be left out");
   }
 }
 
@@ -147,7 +165,7 @@ TEST_F(MatrixReader, WhatDoesNotFitIsRefused) {
   EXPECT_EQ(refusal("", "[forcing]\nkind = \"load\"\namplitude = 1.0\nfrequency = 2.0\n"),
             "scene.toml:1:1: matrices.load: the key is missing, forcing of the kind \"load\" needs "
             "degrees of freedom, or load_file");
-  EXPECT_EQ(refusal("load = [\"1.1\"]\nload_values = [1.0, 2.0]\n"),
+  EXPECT_EQ(refusal("load = [\"1.1\"]\nload_values = [1.0, 2.0]\n", kLoad),
             "scene.toml:6:1: matrices.load_values: the list has 2 entries, it must have one for "
             "each of the 1 of load");
   EXPECT_EQ(refusal("damping = \"c.mtx\"\n", "[damping]\nratios = [0.1, 0.1]\n"),
@@ -158,6 +176,10 @@ TEST_F(MatrixReader, WhatDoesNotFitIsRefused) {
       "scene.toml:1:1: matrices: the scene has a [modal] already, it must have exactly one of "
       "[beam], [string], [bar], [modal] and [matrices]");
   EXPECT_THROW(read("dofs = \"absent.dof\"\n"), FileError);
+  write("names.dof", "1.1\n2.1\n");
+  EXPECT_EQ(refusal("dofs = \"names.dof\"\n"),
+            "names.dof: the matrices have the names of their rows, this file of names (dofs) must "
+            "be left out");
 }
 
 // A free chain whose stiffness was printed with eight digits.

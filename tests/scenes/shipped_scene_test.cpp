@@ -231,8 +231,7 @@ TEST(ShippedScene, WritingKeepsEveryKindOfScene) {
       "[beam]\nlength = 0.30000000000000004\nyoungs_modulus = 205000000001\n"
       "second_moment = 2.2250738585072014e-30\ndensity = 6.703903964971299e153\n"
       "area = 4.9e-324\nmodes = 2\npoints = [0.1, 0.2]\ndiscretisation = \"collocation\"\n";
-  const std::string modal =
-      "[modal]\nfrequencies = [0.0, 0.1]\nparticipation = [-0.0, 1e23]\ninertia = [1, 2]\n";
+  const std::string modal = "[modal]\nfrequencies = [0.0, 0.1]\ninertia = [1, 2]\n";
   const std::vector<std::string> texts = {
       beam +
           "[damping]\nrayleigh = { mass = 0.1, stiffness = 1e-6 }\n"
@@ -240,7 +239,9 @@ TEST(ShippedScene, WritingKeepsEveryKindOfScene) {
           "[[stop]]\nposition = 0.2\ngap = -1e-3\nrestitution = 1\nimpulse = \"collocation\"\n"
           "[initial]\nq = [1, 2]\nqdot = [3, 4]\n[solver]\nflow = \"exact\"\ntolerance = 1e-7\n",
       beam,
-      modal + "damping_ratios = [0.0, 2.0]\n",
+      modal +
+          "damping_ratios = [0.0, 2.0]\nparticipation = [-0.0, 1e23]\n"
+          "[forcing]\namplitude = 1\nfrequency = 2\n",
       modal +
           "[damping]\nratios = [0.1, 0.2]\n"
           "[forcing]\nkind = \"base\"\namplitude = 1\nfrequency = 2\n"

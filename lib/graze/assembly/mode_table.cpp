@@ -7,6 +7,7 @@
 #include <map>
 
 #include "graze/assembly/beam_shape.hpp"
+#include "graze/base/angle.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/fem/detail/text_lines.hpp"
 #include "graze/scene/matrix_structure.hpp"
@@ -44,6 +45,17 @@ std::vector<std::string> notes_of(const MatrixModes& matrices, Units units) {
   if (modes.massless > 0)
     notes.front() += fmt::format("; {} without mass follow{} the others statically", modes.massless,
                                  modes.massless == 1 ? "s" : "");
+  if (modes.massless_motions > 0)
+    notes.push_back(fmt::format(
+        "the mass matrix is singular, as reduced integration leaves it: {} of those without mass "
+        "are "
+        "combinations of degrees of freedom{}",
+        modes.massless_motions,
+        modes.idle == 0
+            ? ""
+            : fmt::format(", {} of which no stiffness holds either (hourglasses), which are "
+                          "left out of shapes and displacements",
+                          modes.idle)));
   if (modes.is_dense)
     notes.push_back("all modes were found");
   else if (modes.counted)
@@ -61,7 +73,23 @@ std::vector<std::string> notes_of(const MatrixModes& matrices, Units units) {
   return notes;
 }
 
+// Modes with periods beyond an hour are those of no structure that meets stops. Where masses of
+// kilograms and stiffnesses of 1e3 N/m and more have changed places, all of them have such.
+constexpr double kSlowMode = 1e-3;  // rad/s
+
 }  // namespace
+
+std::string exchange_sentence(const Scene& scene) {
+  const MatrixModes* matrices = matrices_of(scene);
+  if (!matrices || scene.units != Units::kSi) return "";
+  const Vector& omega = matrices->modes.omega;
+  const double highest = omega[omega.size() - 1];
+  if (highest == 0.0 || highest >= kSlowMode) return "";
+  return fmt::format(
+      "all {} modes lie below {:.2g} rad/s, a period of {:.2g} h: matrices.mass and "
+      "matrices.stiffness seem to be exchanged",
+      omega.size(), highest, kTurn / highest / 3600.0);
+}
 
 std::vector<StopFlexibility> stop_flexibilities(const Scene& scene, const ModalModel& model) {
   const Matrix kept = static_response_of_modes(model).flexibility;
@@ -92,6 +120,8 @@ ModeTable mode_table(const Scene& scene) {
   if (const MatrixModes* matrices = matrices_of(scene)) {
     table.residuals = matrices->modes.residuals;
     table.notes = notes_of(*matrices, scene.units);
+    if (std::string sentence = exchange_sentence(scene); !sentence.empty())
+      table.notes.push_back(std::move(sentence));
   }
   return table;
 }

@@ -37,6 +37,10 @@ struct ModeTable {
 
 ModeTable mode_table(const Scene& scene);
 
+// Why the mass and the stiffness of a scene's matrices look exchanged, a sentence; empty where they
+// do not.
+std::string exchange_sentence(const Scene& scene);
+
 // Flexibilities alone; `model` is that of the scene.
 std::vector<StopFlexibility> stop_flexibilities(const Scene& scene, const ModalModel& model);
 

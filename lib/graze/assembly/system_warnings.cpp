@@ -34,6 +34,27 @@ void add_flexibility_warnings(const Scene& scene, const ModalModel& model,
   }
 }
 
+// Nodes of the mesh whose rows a program left out, and with them their mass, where an acceleration
+// of the whole structure would load them.
+void add_missing_nodes(const Scene& scene, std::vector<std::string>& warnings) {
+  const bool is_based = scene.forcing && scene.forcing->kind == ForcingKind::kBase;
+  if (!is_based && !scene.gravity) return;
+  const MatrixModes& matrices = *scene.matrices()->solved;
+  std::vector<long> missing;
+  for (const auto& [node, place] : matrices.coordinates) {
+    const auto row = matrices.rows.lower_bound({node, 1});
+    if (row == matrices.rows.end() || row->first.node != node) missing.push_back(node);
+  }
+  if (missing.empty() || matrices.rows.begin()->first.direction == 0) return;
+  warnings.push_back(fmt::format(
+      "{} of the {} nodes with coordinates have no row in the matrices, node {} the first: by "
+      "their "
+      "mass {} loads the structure as well, which is missing; CalculiX leaves out what *BOUNDARY "
+      "holds: write the matrices without it and hold these nodes by constraints_file",
+      missing.size(), matrices.coordinates.size(), missing.front(),
+      is_based ? "the moving base" : "gravity"));
+}
+
 void add_matrix_warnings(const Scene& scene, const ModalModel& model,
                          std::vector<std::string>& warnings) {
   for (const auto& [direction, part] : scene.matrices()->solved->weak_holds)
@@ -42,12 +63,15 @@ void add_matrix_warnings(const Scene& scene, const ModalModel& model,
         "free structure this is what few printed digits leave, and its rigid-body modes are not "
         "found as such",
         direction, part));
+  if (std::string sentence = exchange_sentence(scene); !sentence.empty())
+    warnings.push_back(std::move(sentence));
   const ModalDamping* damping = damping_of_matrices(scene);
   if (damping && !damping->is_proportional)
     warnings.push_back(fmt::format(
         "the damping matrix couples modes, which is left out: at most {:.3g} of the geometric mean "
         "of their own damping, between modes {} and {}",
         damping->coupling, damping->first + 1, damping->second + 1));
+  add_missing_nodes(scene, warnings);
   add_flexibility_warnings(scene, model, warnings);
 }
 

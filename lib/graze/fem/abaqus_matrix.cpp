@@ -33,6 +33,19 @@ DofLabel numbered(const TextLines& lines, std::string_view part) {
   return {number, 0};
 }
 
+// A first line n n m above m lines, none of them beyond row and column n, is no entry.
+void refuse_sizes(const TextLines& lines, const std::vector<LabelledEntry>& listed) {
+  const LabelledEntry& first = listed.front();
+  if (first.row != first.column || first.value != static_cast<double>(listed.size() - 1)) return;
+  for (const LabelledEntry& entry : listed)
+    if (std::max(entry.row, entry.column) > first.row) return;
+  lines.fail_at(first.line,
+                fmt::format("the line tells {} rows, {} columns and {} entries, as in a Matrix "
+                            "Market file, whose first line is missing: %%MatrixMarket matrix "
+                            "coordinate real symmetric (or general)",
+                            first.row.node, first.row.node, listed.size() - 1));
+}
+
 }  // namespace
 
 LabelledMatrix read_abaqus(TextLines& lines) {
@@ -42,6 +55,10 @@ LabelledMatrix read_abaqus(TextLines& lines) {
     const std::string_view text = trimmed(lines.line());
     if (text.empty() || text.front() == '*') continue;
     const auto& parts = lines.parts();
+    if (text.front() == '%')
+      lines.fail(
+          "the line is a comment of a Matrix Market file, whose first line is missing: "
+          "%%MatrixMarket matrix coordinate real symmetric (or general)");
     if (width == 0 && parts.size() != 3 && parts.size() != 5)
       lines.fail(
           fmt::format("the line has {} entries, it must have five (row node, row dof, "
@@ -58,6 +75,7 @@ LabelledMatrix read_abaqus(TextLines& lines) {
       listed.push_back({numbered(lines, parts[0]), numbered(lines, parts[1]), lines.number(),
                         lines.real(parts[2])});
   }
+  if (width == 3) refuse_sizes(lines, listed);
   LabelledMatrix result{lines.name(), {}, {}, width == 5, {}};
   std::vector<MatrixEntry> entries = indexed(listed, result.labels);
   const auto size = static_cast<int>(result.labels.size());

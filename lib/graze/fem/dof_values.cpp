@@ -60,23 +60,4 @@ Vector read_dof_values(const std::filesystem::path& file, const std::vector<DofL
   return Eigen::Map<const Vector>(single.data(), static_cast<Eigen::Index>(single.size()));
 }
 
-std::map<long, std::array<double, 3>> read_coordinates(const std::filesystem::path& file) {
-  TextLines lines(file.string(), read_bytes(file));
-  std::map<long, std::array<double, 3>> coordinates;
-  while (lines.next()) {
-    const std::string_view text = trimmed(lines.line());
-    if (text.empty() || text.front() == '*' || text.front() == '#') continue;
-    const auto& parts = lines.parts();
-    if (parts.size() != 3 && parts.size() != 4)
-      lines.fail(fmt::format("the line has {} entries, it must have a node and its x, y and z",
-                             parts.size()));
-    std::array<double, 3> place{};
-    for (std::size_t i = 1; i < parts.size(); ++i) place[i - 1] = lines.real(parts[i]);
-    if (!coordinates.emplace(lines.integer(parts[0]), place).second)
-      lines.fail(fmt::format("the node {} stands twice", parts[0]));
-  }
-  if (coordinates.empty()) lines.fail_at(0, "the file has no nodes");
-  return coordinates;
-}
-
 }  // namespace graze

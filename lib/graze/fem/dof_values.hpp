@@ -17,8 +17,4 @@ namespace graze {
 Vector read_dof_values(const std::filesystem::path& file, const std::vector<DofLabel>& labels,
                        const std::vector<DofLabel>& others = {});
 
-// Lines of a node and its x, y and z (m; z may be missing), parted by spaces or commas; lines that
-// begin with * or # are passed over. Throws likewise.
-std::map<long, std::array<double, 3>> read_coordinates(const std::filesystem::path& file);
-
 }  // namespace graze

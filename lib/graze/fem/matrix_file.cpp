@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <set>
 
 #include "graze/fem/detail/matrix_formats.hpp"
@@ -26,6 +28,26 @@ std::string cut_name(std::filesystem::path& file) {
   if (at == std::string::npos || std::filesystem::exists(file, no_matter)) return "";
   file = text.substr(0, at);
   return text.substr(at + 1);
+}
+
+// `take` sees each with the line that it stands in.
+std::vector<DofLabel> names_in(const std::filesystem::path& file,
+                               const std::function<void(const TextLines&, const DofLabel&)>& take) {
+  TextLines lines(file.string(), read_bytes(file));
+  std::vector<DofLabel> names;
+  while (lines.next()) {
+    const std::string_view text = trimmed(lines.line().substr(0, lines.line().find('#')));
+    if (text.empty()) continue;
+    const std::optional<DofLabel> label = label_from_text(std::string(text));
+    if (!label)
+      lines.fail(fmt::format(
+          "\"{}\" is not allowed, it must be a degree of freedom, node.direction or a number",
+          text));
+    take(lines, *label);
+    names.push_back(*label);
+  }
+  if (names.empty()) lines.fail_at(0, "the file names no degree of freedom");
+  return names;
 }
 
 }  // namespace
@@ -52,28 +74,26 @@ LabelledMatrix read_matrix(const std::filesystem::path& given) {
   if (is_dmig) return read_dmig(lines, wanted);
   if (kind != ".mtx") return read_calculix(lines);
   TextLines ahead = lines;
-  return ahead.next() && starts_without_case(ahead.line(), "%%MatrixMarket")
+  return ahead.next_text() && starts_without_case(ahead.line(), "%%MatrixMarket")
              ? read_matrix_market(lines)
              : read_abaqus(lines);
 }
 
 std::vector<DofLabel> read_dof_names(const std::filesystem::path& file) {
-  TextLines lines(file.string(), read_bytes(file));
-  std::vector<DofLabel> names;
   std::set<DofLabel> seen;
-  while (lines.next()) {
-    const std::string_view text = trimmed(lines.line().substr(0, lines.line().find('#')));
-    if (text.empty()) continue;
-    const std::optional<DofLabel> label = label_from_text(std::string(text));
-    if (!label)
-      lines.fail(fmt::format(
-          "\"{}\" is not allowed, it must be a degree of freedom, node.direction or a number",
-          text));
-    if (!seen.insert(*label).second)
-      lines.fail(fmt::format("the degree of freedom {} stands twice", label_text(*label)));
-    names.push_back(*label);
-  }
-  if (names.empty()) lines.fail_at(0, "the file names no degree of freedom");
+  return names_in(file, [&](const TextLines& lines, const DofLabel& label) {
+    if (!seen.insert(label).second)
+      lines.fail(fmt::format("the degree of freedom {} stands twice", label_text(label)));
+  });
+}
+
+std::vector<DofLabel> read_row_names(const std::filesystem::path& file) {
+  std::vector<DofLabel> names = names_in(file, [](const TextLines&, const DofLabel&) {});
+  std::map<DofLabel, int> rows;
+  for (const DofLabel& name : names) ++rows[name];
+  std::erase_if(rows, [](const auto& name) { return name.second == 1; });
+  for (auto name = names.rbegin(); name != names.rend(); ++name)
+    if (const auto found = rows.find(*name); found != rows.end()) name->row = found->second--;
   return names;
 }
 

@@ -26,8 +26,12 @@ namespace graze {
 // such matrix: malformed, not square, complex, not symmetric, not finite.
 LabelledMatrix read_matrix(const std::filesystem::path& file);
 
-// The names of the rows in their order, one a line, "12.3" or "7" (a .dof file of CalculiX); `#`
-// starts a comment. Throws likewise, also where a name stands twice.
+// Names of degrees of freedom, one a line, "12.3" or "7"; `#` starts a comment. Throws likewise,
+// also where a name stands twice.
 std::vector<DofLabel> read_dof_names(const std::filesystem::path& file);
+
+// The names of the rows of a matrix in their order (a .dof file of CalculiX), likewise; rows of one
+// name are numbered, "12.3.1", "12.3.2", ..
+std::vector<DofLabel> read_row_names(const std::filesystem::path& file);
 
 }  // namespace graze

@@ -13,7 +13,7 @@ struct Banner {
 };
 
 Banner read_banner(TextLines& lines) {
-  lines.next();
+  lines.next_text();
   const std::vector<std::string_view> words = lines.parts();
   const auto is = [&](std::size_t i, const char* word) {
     return starts_without_case(words[i], word) && words[i].size() == std::string_view(word).size();

@@ -1,6 +1,6 @@
 // DMIG entries of the bulk data of Nastran (MSC Nastran Quick Reference Guide, "Direct Matrix Input
 // at Points"), in small fields (8 columns), large ones (16 columns, names with *) or free ones
-// (commas):
+// (parted by commas or tabs):
 //
 //   DMIG, name, 0, IFO, TIN, ..                      IFO 1 square, 6 symmetric; TIN 1, 2 real
 //   DMIG, name, GJ, CJ, , G1, C1, A1, , G2, C2, A2   column (GJ, CJ), rows (G, C) with A
@@ -21,18 +21,28 @@ struct Field {
 };
 
 // Of one line, without the first field (the name of the entry) and the last (of continuation).
-void add_fields(std::string_view line, int number, std::vector<Field>& fields) {
+void add_fields(const TextLines& lines, std::string_view line, std::vector<Field>& fields) {
   const auto add = [&](std::string_view text) {
-    fields.push_back({std::string(trimmed(text)), number});
+    fields.push_back({std::string(trimmed(text)), lines.number()});
   };
-  if (line.find(',') != std::string_view::npos) {
+  line = line.substr(0, line.find_last_not_of(" \t") + 1);
+  const char parting = line.find(',') != std::string_view::npos ? ',' : '\t';
+  if (line.find(parting) != std::string_view::npos) {
     const std::size_t wanted = line.find('*') != std::string_view::npos ? 4 : 8;
-    std::size_t at = line.find(',') + 1, count = 0;
-    for (; count < wanted && at <= line.size(); ++count) {
-      const std::size_t end = std::min(line.find(',', at), line.size());
-      add(line.substr(at, end - at));
+    std::size_t at = 0, count = 0;
+    const auto next = [&] {
+      const std::size_t end = std::min(line.find(parting, at), line.size());
+      const std::string_view field = trimmed(line.substr(at, end - at));
+      if (field.find_first_of(" \t") != std::string_view::npos)
+        lines.fail(
+            fmt::format("the field \"{}\" has blanks or tabs within, fields must be parted "
+                        "in one way: by columns of blanks, by commas or by tabs",
+                        field));
       at = end + 1;
-    }
+      return field;
+    };
+    next();
+    for (; count < wanted && at <= line.size(); ++count) add(next());
     for (; count < wanted; ++count) add("");
     return;
   }
@@ -66,13 +76,13 @@ class DmigReader {
       const std::string_view line = lines_.line().substr(0, lines_.line().find('$'));
       if (trimmed(line).empty()) continue;
       const char first = line.front();
-      const bool goes_on = first == ' ' || first == '+' || first == '*' || first == ',';
+      const bool goes_on = std::string_view(" \t+*,").find(first) != std::string_view::npos;
       if (!goes_on) {
         finish();
         inside = starts_without_case(line, "DMIG") &&
-                 (line.size() == 4 || std::string_view(" *,").find(line[4]) != line.npos);
+                 (line.size() == 4 || std::string_view(" \t*,").find(line[4]) != line.npos);
       }
-      if (inside) add_fields(line, lines_.number(), fields);
+      if (inside) add_fields(lines_, line, fields);
     }
     finish();
     return std::move(matrices_);

@@ -92,13 +92,14 @@ int SparseCholesky::failed_row() const {
   return factor.minor < factor.n ? static_cast<const int*>(factor.Perm)[factor.minor] : -1;
 }
 
-double SparseCholesky::smallest_pivot() const {
+SparseCholesky::Pivot SparseCholesky::smallest_pivot() const {
   const cholmod_factor& factor = *factors_->factor;
   const auto* order = static_cast<const int*>(factor.Perm);
   const auto* values = static_cast<const double*>(factor.x);
-  double smallest = std::numeric_limits<double>::infinity();
+  Pivot smallest{std::numeric_limits<double>::infinity(), -1};
   const auto take = [&](std::size_t column, double root) {
-    smallest = std::min(smallest, root * root / factors_->diagonal[order[column]]);
+    const double relative = root * root / factors_->diagonal[order[column]];
+    if (relative < smallest.relative) smallest = {relative, order[column]};
   };
   if (!factor.is_super) {
     const auto* starts = static_cast<const int*>(factor.p);

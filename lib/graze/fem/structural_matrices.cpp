@@ -79,6 +79,19 @@ Places places_of(const std::vector<DofLabel>& labels) {
   return places;
 }
 
+// All rows that have the name, each with its number where there are several.
+std::vector<DofLabel> rows_named(const Places& places, const DofLabel& name) {
+  std::vector<DofLabel> rows;
+  for (auto row = places.lower_bound(name); row != places.end(); ++row) {
+    const DofLabel& label = row->first;
+    const bool is_named = label == name || (name.row == 0 && label.node == name.node &&
+                                            label.direction == name.direction);
+    if (!is_named) break;
+    rows.push_back(label);
+  }
+  return rows;
+}
+
 // What a unit acceleration of the whole structure does, before rows are left out.
 void add_inertia(StructuralMatrices& result, const SparseMatrix& mass,
                  const std::vector<DofLabel>& labels, const Places& kept) {
@@ -145,6 +158,18 @@ std::optional<int> StructuralMatrices::find(const DofLabel& label) const {
   return static_cast<int>(found - labels.begin());
 }
 
+std::string StructuralMatrices::absence(const DofLabel& label) const {
+  int rows = 0;
+  for (const std::vector<DofLabel>* list : {&labels, &held})
+    for (const DofLabel& other : *list)
+      rows += other.node == label.node && other.direction == label.direction && other.row > 0;
+  const std::string name = label_text({label.node, label.direction});
+  if (rows > 0)
+    return fmt::format("{0} is the name of {1} rows, it must be one of {0}.1 to {0}.{1}", name,
+                       rows);
+  return fmt::format("the matrices have no degree of freedom {}", label_text(label));
+}
+
 std::vector<int> StructuralMatrices::rows_with_mass() const {
   std::vector<int> rows;
   for (int i = 0; i < size(); ++i)
@@ -159,12 +184,14 @@ StructuralMatrices join_matrices(const LabelledMatrix& mass, const LabelledMatri
   if (damping) check_sizes(*damping, stiffness);
   const std::vector<DofLabel> labels = united_labels(mass, stiffness, damping);
   const Places all = places_of(labels);
-  std::vector<DofLabel> held = constraints;
-  held.insert(held.end(), stiffness.held.begin(), stiffness.held.end());
-  for (const DofLabel& label : held)
-    if (!all.count(label))
+  std::vector<DofLabel> held = stiffness.held;
+  for (const DofLabel& label : constraints) {
+    const std::vector<DofLabel> rows = rows_named(all, label);
+    if (rows.empty())
       throw InputError(fmt::format("{}: the matrix has no degree of freedom {} to be held",
                                    stiffness.file, label_text(label)));
+    held.insert(held.end(), rows.begin(), rows.end());
+  }
   std::sort(held.begin(), held.end());
   StructuralMatrices result;
   result.mass_file = mass.file;
@@ -195,7 +222,12 @@ StructuralMatrices read_structure(const MatrixFiles& files,
   std::optional<LabelledMatrix> damping;
   if (files.damping) damping = read_matrix(*files.damping);
   if (files.dofs) {
-    const std::vector<DofLabel> names = read_dof_names(*files.dofs);
+    const std::vector<DofLabel> names = read_row_names(*files.dofs);
+    if (mass.has_names && stiffness.has_names && (!damping || damping->has_names))
+      throw InputError(
+          fmt::format("{}: the matrices have the names of their rows, this file of names (dofs) "
+                      "must be left out",
+                      files.dofs->string()));
     name_rows(mass, names, *files.dofs);
     name_rows(stiffness, names, *files.dofs);
     if (damping) name_rows(*damping, names, *files.dofs);

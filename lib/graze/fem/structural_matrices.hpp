@@ -47,9 +47,12 @@ struct StructuralMatrices {
   std::vector<int> rows_with_mass() const;
   // Place of a free degree of freedom; nothing where there is none of that name.
   std::optional<int> find(const DofLabel& label) const;
+  // Why none is, a sentence.
+  std::string absence(const DofLabel& label) const;
 };
 
-// `constraints`: degrees of freedom that are held at zero, beside those that a file holds itself.
+// `constraints`: degrees of freedom that are held at zero, beside those that a file holds itself;
+// where several rows have one name, it holds all of them.
 // Throws FileError and InputError as read_matrix, and InputError where sizes or names do not fit
 // each other, where a constraint has no such degree of freedom, and where a free degree of freedom
 // has neither mass nor stiffness.

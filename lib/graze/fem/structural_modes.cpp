@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #include "graze/base/errors.hpp"
 #include "graze/base/linalg/decompositions.hpp"
+#include "graze/fem/detail/judged_modes.hpp"
 #include "graze/fem/detail/masses.hpp"
 #include "graze/fem/detail/mode_polish.hpp"
 #include "graze/fem/detail/shift_invert.hpp"
@@ -38,124 +38,114 @@ double typical_square(const StructuralMatrices& structure) {
   return *middle;
 }
 
-[[noreturn]] void refuse_indefinite(const StructuralMatrices& structure, const std::string& why) {
-  throw InputError(
-      fmt::format("{}: the stiffness matrix is indefinite: {}", structure.stiffness_file, why));
-}
-
 // Above this no combination of degrees of freedom without mass is free but for rounding, which the
 // factors of long chains of elements gather.
 constexpr double kSafePivot = 1e-8;
 
-// K - shift M with its factors.
+// K - shift M with its factors. Motions that neither mass nor stiffness holds, which reduced
+// integration may leave (hourglasses), are held by a spring each, at one of their degrees of
+// freedom; no force of inertia moves them there.
 struct Shifted {
   Shifted(const StructuralMatrices& structure, const Masses& masses)
       : structure_(structure),
         masses_(masses),
+        stiffness(structure.stiffness),
         matrix(structure.stiffness + structure.mass),
         factors(matrix) {}
 
   // With a shift at which the matrix is safely positive definite.
   void factorise() {
-    const double typical = typical_square(structure_);
-    const bool found =
-        std::any_of(std::begin(kRelativeShifts), std::end(kRelativeShifts),
-                    [&](double relative) { return factorise_at(relative * typical); });
-    if (!found || factors.smallest_pivot() < kSafePivot) masses_.check_others();
+    bool found = factorise_at_some();
+    if (!found || factors.smallest_pivot().relative < kSafePivot) masses_.check_others();
+    if (!found && masses_.is_singular() && hold_idle()) found = factorise_at_some();
     if (found) return;
     refuse_indefinite(structure_,
                       fmt::format("it has an eigenvalue K phi = L M phi below {:.3g} (rad/s)^2, "
                                   "which shows at the degree of freedom {}",
-                                  shift, row_name(structure_, factors.failed_row())));
+                                  shift, row_name(structure_, weakest_row())));
   }
 
   // False where the matrix is not safely positive definite there.
   bool factorise_at(double there) {
     shift = there;
-    matrix = structure_.stiffness - shift * structure_.mass;
-    return factors.factorise(matrix) && factors.smallest_pivot() > kSingularPivot;
+    matrix = stiffness - shift * structure_.mass;
+    return factors.factorise(matrix) && factors.smallest_pivot().relative > kSingularPivot;
+  }
+
+  // Without the idle motions, so that they are orthogonal to them, K's diagonal being the metric.
+  void remove_idle(Matrix& vectors) const {
+    if (idle.cols() > 0) vectors -= idle * idle_forces().transpose() * vectors;
+  }
+  // Without what forces do along the idle motions.
+  void balance_idle(Matrix& forces) const {
+    if (idle.cols() > 0) forces -= idle_forces() * (idle.transpose() * forces);
   }
 
   const StructuralMatrices& structure_;
   const Masses& masses_;
   double shift = 0.0;
+  SparseMatrix stiffness;  // with the springs
   SparseMatrix matrix;
   SparseCholesky factors;
+  Matrix idle{};  // n x their number
+
+ private:
+  bool factorise_at_some() {
+    const double typical = typical_square(structure_);
+    return std::any_of(std::begin(kRelativeShifts), std::end(kRelativeShifts),
+                       [&](double relative) { return factorise_at(relative * typical); });
+  }
+
+  int weakest_row() const {
+    const int row = factors.failed_row();
+    return row < 0 ? factors.smallest_pivot().row : row;
+  }
+
+  // D Z (Z^T D Z)^-1, D the diagonal of K.
+  Matrix idle_forces() const {
+    const Matrix weighted = structure_.stiffness.diagonal().asDiagonal() * idle;
+    return weighted * Eigen::LLT<Matrix>(idle.transpose() * weighted)
+                          .solve(Matrix::Identity(idle.cols(), idle.cols()));
+  }
+
+  // At the last shift, where rigid bodies are held by their mass. False where a motion that is soft
+  // has mass or strain energy.
+  bool hold_idle() {
+    std::vector<int> rows;
+    const int most = structure_.size() - masses_.rank();
+    while (!factorise_at(shift)) {
+      const int row = weakest_row();
+      if (row < 0 || static_cast<int>(rows.size()) == most) return false;
+      rows.push_back(row);
+      stiffness.coeffRef(row, row) += structure_.stiffness.coeff(row, row);
+    }
+    Matrix forces = Matrix::Zero(structure_.size(), static_cast<Eigen::Index>(rows.size()));
+    for (std::size_t j = 0; j < rows.size(); ++j)
+      forces(rows[j], static_cast<Eigen::Index>(j)) = structure_.stiffness.coeff(rows[j], rows[j]);
+    idle = factors.solve(forces);
+    const auto is_none = [](const SparseMatrix& of, const Vector& z, double limit) {
+      const Vector size = z.cwiseAbs();
+      return std::abs(z.dot(of * z)) <= limit * size.dot(of.cwiseAbs() * size);
+    };
+    for (const auto& z : idle.colwise())
+      if (!is_none(structure_.stiffness, z, kRigidEnergy) ||
+          !is_none(structure_.mass, z, kNullMass))
+        return false;
+    return true;
+  }
 };
 
-// Modes of the flexibility that the masses see: the largest eigenvalues of L^T S^-1 L, M = L L^T,
+// Modes of the flexibility that the masses see: the largest eigenvalues of F^T S^-1 F, M = F F^T,
 // are those of the lowest modes.
 Matrix dense_vectors(const StructuralMatrices& structure, const Masses& masses,
                      const Shifted& shifted) {
-  const Matrix lower = Eigen::LLT<Matrix>(Matrix(masses.matrix())).matrixL();
-  Matrix loads = Matrix::Zero(structure.size(), masses.rank());
-  loads(masses.rows(), Eigen::all) = lower;
+  const Matrix factor = masses.factor();
+  Matrix loads = Matrix::Zero(structure.size(), factor.cols());
+  loads(masses.rows(), Eigen::all) = factor;
   const Matrix displaced = shifted.factors.solve(loads);
-  const Matrix seen = lower.transpose() * displaced(masses.rows(), Eigen::all);
+  const Matrix seen = factor.transpose() * displaced(masses.rows(), Eigen::all);
   const SymmetricModes modes = symmetric_modes(0.5 * (seen + seen.transpose()));
   return displaced * modes.vectors.rowwise().reverse();
-}
-
-// By what twice the elastic energy of each column changes where every entry of the stiffness is
-// rounded for itself.
-Vector energy_roundings(const SparseMatrix& stiffness, const Matrix& columns) {
-  const Matrix squares = columns.cwiseAbs2();
-  const SparseMatrix entries = stiffness.cwiseProduct(stiffness);
-  const Matrix moved = entries * squares;
-  return 0.5 * std::numeric_limits<double>::epsilon() *
-         squares.cwiseProduct(moved).colwise().sum().cwiseSqrt().transpose();
-}
-
-// The first of the largest displacements is positive, so that the sign is the same in every run:
-// those that a symmetric structure has on both sides differ by rounding.
-double sign_of(const Vector& phi) {
-  const double large = (1.0 - 1e-6) * phi.cwiseAbs().maxCoeff();
-  const auto first =
-      std::find_if(phi.begin(), phi.end(), [=](double value) { return std::abs(value) >= large; });
-  return first != phi.end() && *first < 0.0 ? -1.0 : 1.0;
-}
-
-// Frequencies, the rigid ones among them, and residuals of vectors that are orthonormal in M.
-void judge(const StructuralMatrices& structure, Matrix vectors, StructuralModes& modes) {
-  const Matrix stiff = structure.stiffness * vectors;
-  const auto m = static_cast<std::size_t>(vectors.cols());
-  Vector squares(vectors.cols());
-  for (Eigen::Index j = 0; j < vectors.cols(); ++j) squares[j] = vectors.col(j).dot(stiff.col(j));
-  std::vector<Eigen::Index> order(m);
-  std::iota(order.begin(), order.end(), Eigen::Index{0});
-  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return squares[a] < squares[b]; });
-  const SparseMatrix absolute_k = structure.stiffness.cwiseAbs();
-  const SparseMatrix absolute_m = structure.mass.cwiseAbs();
-  modes.square_roundings.resize(vectors.cols());
-  const Vector roundings = energy_roundings(structure.stiffness, vectors);
-  modes.omega.resize(vectors.cols());
-  modes.residuals.resize(vectors.cols());
-  modes.shapes.resize(vectors.rows(), vectors.cols());
-  modes.rigid = 0;
-  for (std::size_t k = 0; k < m; ++k) {
-    const Eigen::Index j = order[k], at = static_cast<Eigen::Index>(k);
-    const Vector phi = vectors.col(j), size = phi.cwiseAbs();
-    const Vector scale_k = absolute_k * size;
-    const double limit = kRigidEnergy * size.dot(scale_k);
-    double square = squares[j];
-    if (square < -limit)
-      refuse_indefinite(
-          structure,
-          fmt::format("a mode has the square of a frequency {:.3g} (rad/s)^2, {:.2g} of what the "
-                      "entries of the matrix make of its shape and beyond their rounding, {:.2g}",
-                      square, square / size.dot(scale_k), kRigidEnergy));
-    if (square <= limit) {
-      square = 0.0;
-      ++modes.rigid;
-    }
-    modes.omega[at] = std::sqrt(square);
-    modes.square_roundings[at] = roundings[j];
-    const Vector residual = stiff.col(j) - square * (structure.mass * phi);
-    // Nothing acts on a body of its own that no stiffness holds: it has neither residual nor scale.
-    const double scale = (scale_k + square * (absolute_m * size)).norm();
-    modes.residuals[at] = scale > 0.0 ? residual.norm() / scale : 0.0;
-    modes.shapes.col(at) = sign_of(phi) * phi;
-  }
 }
 
 void keep_lowest(StructuralModes& modes, int count) {
@@ -173,6 +163,7 @@ bool polish(const StructuralMatrices& structure, const Shifted& shifted, Matrix&
   vectors = shifted.factors.solve(Matrix(structure.mass * vectors));
   if (!orthonormalise(structure.mass, vectors)) return false;
   diagonalise(shifted.matrix, vectors);
+  shifted.remove_idle(vectors);
   return true;
 }
 
@@ -203,7 +194,7 @@ bool are_complete(const StructuralMatrices& structure, Shifted& shifted, int ran
     modes.not_counted = fmt::format("L D L^T without supernodes would take {:.1g} operations",
                                     factors.operations());
   } else {
-    const SparseMatrix matrix = structure.stiffness - shift * structure.mass;
+    const SparseMatrix matrix = shifted.stiffness - shift * structure.mass;
     modes.counted = factors.negative_eigenvalues(matrix);
     if (!modes.counted) modes.not_counted = "L D L^T without pivoting is not accurate enough";
   }
@@ -222,7 +213,7 @@ void adapt_shift(const StructuralMatrices& structure, Shifted& shifted, int rank
                                                        std::min(12, rank - 1), before, 0);
   if (!vectors || !orthonormalise(structure.mass, *vectors)) return;
   StructuralModes first;
-  judge(structure, std::move(*vectors), first);
+  judge(structure, *vectors, first);
   if (first.rigid == first.count()) return;
   const double square = first.omega[first.rigid] * first.omega[first.rigid];
   if (square > -4.0 * before && !shifted.factorise_at(-square)) shifted.factorise_at(before);
@@ -239,7 +230,7 @@ bool find_sparse(const StructuralMatrices& structure, Shifted& shifted, int rank
         shift_invert_vectors(shifted.factors, structure.mass, rank,
                              std::min(sought + 4 * attempt, rank - 1), shifted.shift, attempt);
     if (!vectors || !polish(structure, shifted, *vectors)) continue;
-    judge(structure, std::move(*vectors), modes);
+    judge(structure, *vectors, modes);
     if (are_complete(structure, shifted, rank, count, modes)) return true;
   }
   return false;
@@ -251,10 +242,13 @@ Matrix static_displacements(const StructuralMatrices& structure, const Shifted& 
                             const StructuralModes& modes, const Matrix& loads) {
   const Matrix rigid = modes.shapes.leftCols(modes.rigid);
   const Matrix rigid_load = structure.mass * rigid;
-  const auto elastic = [&](const Matrix& u) {
-    return Matrix(u - rigid * (rigid_load.transpose() * u));
+  const auto elastic = [&](Matrix u) {
+    u -= rigid * (rigid_load.transpose() * u);
+    shifted.remove_idle(u);
+    return u;
   };
-  const Matrix balanced = loads - rigid_load * (rigid.transpose() * loads);
+  Matrix balanced = loads - rigid_load * (rigid.transpose() * loads);
+  shifted.balance_idle(balanced);
   Matrix u = elastic(shifted.factors.solve(balanced));
   if (shifted.shift == 0.0) return u;
   for (int k = 0; k < 200; ++k) {
@@ -288,15 +282,19 @@ StructuralModes lowest_modes(const StructuralMatrices& structure, int count, con
   const Masses masses(structure);
   const int rank = masses.rank();
   if (count < 1 || count > rank)
-    throw InputError(fmt::format("{}: {} modes are asked for, the structure has {}",
-                                 structure.stiffness_file, count, mode_limit_text(structure)));
-  masses.check_definite();
+    throw InputError(fmt::format(
+        "{}: {} modes are asked for, the structure has {}", structure.stiffness_file, count,
+        masses.is_singular() ? fmt::format("{}, the rank of its mass matrix", rank)
+                             : mode_limit_text(structure)));
   Shifted shifted(structure, masses);
   shifted.factorise();
   StructuralModes modes;
   modes.massless = structure.size() - rank;
+  modes.massless_motions = static_cast<int>(masses.rows().size()) - rank;
+  modes.idle = static_cast<int>(shifted.idle.cols());
   modes.shift = shifted.shift;
-  modes.is_dense = structure.size() <= kDenseSize || rank <= std::max(kFewMasses, 3 * count - 1);
+  modes.is_dense = structure.size() <= kDenseSize ||
+                   (!masses.is_singular() && rank <= std::max(kFewMasses, 3 * count - 1));
   if (modes.is_dense) {
     Matrix vectors = dense_vectors(structure, masses, shifted);
     if (!orthonormalise(structure.mass, vectors) || !polish(structure, shifted, vectors))
@@ -304,7 +302,7 @@ StructuralModes lowest_modes(const StructuralMatrices& structure, int count, con
           fmt::format("{}: its modes cannot be told apart from those of a singular "
                       "mass matrix",
                       structure.mass_file));
-    judge(structure, std::move(vectors), modes);
+    judge(structure, vectors, modes);
     modes.counted = rank;
     modes.counted_below = modes.omega[rank - 1];
   } else if (!find_sparse(structure, shifted, rank, count, modes)) {

@@ -13,7 +13,9 @@
 //
 // which is what the factors of all of S make of the mass, without K_ss^-1 being formed: vectors of
 // the range of S^-1 M satisfy the rows s, and a row r of the structure has the displacement
-// (r_m - K_ms K_ss^-1 r_s)^T phi_m = r^T phi in a mode.
+// (r_m - K_ms K_ss^-1 r_s)^T phi_m = r^T phi in a mode. The same holds of any M that is
+// semidefinite, as reduced integration leaves it, for the combinations of degrees of freedom
+// without mass.
 #pragma once
 
 #include <optional>
@@ -38,11 +40,13 @@ struct StructuralModes {
   // By what the entries of the stiffness are rounded, each for itself, the squares of the
   // frequencies are known to these, (rad/s)^2, m: eps/2 times the root of sum (phi_i K_ij phi_j)^2.
   Vector square_roundings;
-  int rigid = 0;          // the first ones are those of a rigid body
-  int free_motions = 0;   // as many as the structure has, of which `rigid` are among the m modes
-  double shift = 0.0;     // (rad/s)^2, used by the iteration
-  bool is_dense = false;  // all modes of the structure were found
-  int massless = 0;       // degrees of freedom without mass: there are n - massless modes
+  int rigid = 0;             // the first ones are those of a rigid body
+  int free_motions = 0;      // as many as the structure has, of which `rigid` are among the m modes
+  double shift = 0.0;        // (rad/s)^2, used by the iteration
+  bool is_dense = false;     // all modes of the structure were found
+  int massless = 0;          // there are n - massless modes; of these
+  int massless_motions = 0;  // are combinations of degrees of freedom that have mass, and
+  int idle = 0;              // have no stiffness either; shapes and displacements are without them
   // How many modes lie below `counted_below` (rad/s) by Sylvester's law of inertia: as many as were
   // found there. Nothing where they were not counted; the sentence says why, and a second
   // iteration, orthogonal to the modes found, then met none below the last of them.
@@ -59,8 +63,8 @@ struct StructuralModes {
 };
 
 // The `count` lowest modes, 1 to the number of degrees of freedom with mass; `loads`: n x k, may
-// have no column. Throws InputError where there are not as many, where the mass is not positive
-// definite on the rows that are not zero, where the stiffness is not positive semidefinite or lets
+// have no column. Throws InputError where there are not as many, where the mass has a
+// negative eigenvalue, where the stiffness is not positive semidefinite or lets
 // degrees of freedom without mass move freely, and where modes cannot be found to a residual of
 // kLargestResidual or not as many as there are.
 StructuralModes lowest_modes(const StructuralMatrices& structure, int count,

@@ -67,6 +67,13 @@ bool starts_without_case(std::string_view text, std::string_view start) {
   return true;
 }
 
+TextLines::TextLines(std::string name, std::string text)
+    : name_(std::move(name)), text_(std::move(text)) {
+  if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
+  if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF"))
+    fail_at(0, "the text is UTF-16, it must be UTF-8 or ASCII");
+}
+
 bool TextLines::next() {
   if (at_ >= text_.size()) return false;
   const std::size_t end = std::min(text_.find('\n', at_), text_.size());
@@ -75,6 +82,12 @@ bool TextLines::next() {
   at_ = end + 1;
   ++number_;
   return true;
+}
+
+bool TextLines::next_text() {
+  while (next())
+    if (!trimmed(line_).empty()) return true;
+  return false;
 }
 
 const std::vector<std::string_view>& TextLines::parts() {

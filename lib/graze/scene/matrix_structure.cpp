@@ -30,37 +30,74 @@ std::string files_checksum(const MatrixStructure& matrices) {
   return sha256(text);
 }
 
-DofLabel label_of(const Scene& scene, const std::string& key, const std::string& text) {
-  const std::optional<DofLabel> label = label_from_text(text);
-  if (!label)
-    throw scene_error(scene, key, fmt::format("\"{}\" is not allowed, it must be {}", text, kForm));
-  return *label;
+// The degrees of freedom that a text names: one, or one at each node of a set of the mesh, "TIP.3".
+std::vector<DofLabel> labels_of(const Scene& scene, const Mesh& mesh, const std::string& key,
+                                const std::string& text) {
+  if (const std::optional<DofLabel> label = label_from_text(text)) return {*label};
+  const std::size_t dot = std::min(text.rfind('.'), text.size());
+  const auto set = mesh.sets.find(in_capitals(text.substr(0, dot)));
+  if (set == mesh.sets.end())
+    throw scene_error(
+        scene, key,
+        fmt::format("\"{}\" is not allowed, it must be {}, or in place of the node a set of nodes "
+                    "(*NSET) in the file of coordinates",
+                    text, kForm));
+  // As the direction of a node of the set is read.
+  const std::optional<DofLabel> direction = label_from_text("1" + text.substr(dot));
+  if (!direction || direction->direction == 0)
+    throw scene_error(
+        scene, key,
+        fmt::format("\"{}\" names a set of nodes without a direction there, it must be "
+                    "like \"{}.3\"",
+                    text, text.substr(0, dot)));
+  std::vector<DofLabel> labels;
+  for (const long node : set->second)
+    labels.push_back({node, direction->direction, direction->row});
+  return labels;
 }
 
-std::vector<DofLabel> constraints_of(const Scene& scene, const MatrixStructure& matrices) {
+DofLabel label_of(const Scene& scene, const Mesh& mesh, const std::string& key,
+                  const std::string& text) {
+  const std::vector<DofLabel> labels = labels_of(scene, mesh, key, text);
+  if (labels.size() == 1) return labels.front();
+  throw scene_error(scene, key,
+                    fmt::format("\"{}\" is not allowed, the set has {} nodes, it must have one",
+                                text, labels.size()));
+}
+
+std::vector<DofLabel> constraints_of(const Scene& scene, const MatrixStructure& matrices,
+                                     const Mesh& mesh) {
   std::vector<DofLabel> held;
   for (const std::string& text : matrices.constraints)
-    held.push_back(label_of(scene, "matrices.constraints", text));
+    for (const DofLabel& label : labels_of(scene, mesh, "matrices.constraints", text))
+      held.push_back(label);
   if (!matrices.constraints_file.empty())
     for (const DofLabel& label : read_dof_names(matrices.constraints_file)) held.push_back(label);
   return held;
 }
 
+// CalculiX writes no row of what it holds, nor its mass.
+const char* left_out(const Scene& scene) {
+  return scene.matrices()->dofs.empty() ? ""
+                                        : "; CalculiX leaves out what *BOUNDARY holds: written "
+                                          "without it, all are there and can "
+                                          "be held by constraints_file";
+}
+
 // A stop or a probe as a row over the free degrees of freedom.
-Vector row_of(const Scene& scene, const StructuralMatrices& structure, const std::string& table,
-              const std::string& node, const std::string& against) {
+Vector row_of(const Scene& scene, const StructuralMatrices& structure, const Mesh& mesh,
+              const std::string& table, const std::string& node, const std::string& against) {
   Vector row = Vector::Zero(structure.size());
   const auto add = [&](const char* key, const std::string& text, double sign) {
     const std::string path = table + "." + key;
-    const DofLabel label = label_of(scene, path, text);
+    const DofLabel label = label_of(scene, mesh, path, text);
     if (const std::optional<int> place = structure.find(label)) {
       row[*place] += sign;
       return;
     }
     const auto& held = structure.held;
     if (std::find(held.begin(), held.end(), label) == held.end())
-      throw scene_error(scene, path,
-                        fmt::format("the matrices have no degree of freedom {}", text));
+      throw scene_error(scene, path, structure.absence(label) + left_out(scene));
   };
   if (node.empty()) throw scene_error(scene, table + ".node", "the key is missing");
   add("node", node, 1.0);
@@ -76,7 +113,8 @@ Vector row_of(const Scene& scene, const StructuralMatrices& structure, const std
 std::vector<double> as_list(const Vector& vector) { return {vector.begin(), vector.end()}; }
 
 std::vector<double> load_participation(const Scene& scene, const MatrixStructure& matrices,
-                                       const StructuralMatrices& structure, const Matrix& shapes) {
+                                       const StructuralMatrices& structure, const Mesh& mesh,
+                                       const Matrix& shapes) {
   if (!matrices.load_file.empty()) {
     if (!matrices.load.empty() || !matrices.load_values.empty())
       throw scene_error(scene, "matrices.load", "the load is in a file, it must be left out");
@@ -93,11 +131,12 @@ std::vector<double> load_participation(const Scene& scene, const MatrixStructure
   Vector load = Vector::Zero(structure.size());
   for (std::size_t i = 0; i < matrices.load.size(); ++i) {
     const std::string key = fmt::format("matrices.load.{}", i + 1);
-    const std::optional<int> place = structure.find(label_of(scene, key, matrices.load[i]));
+    const DofLabel label = label_of(scene, mesh, key, matrices.load[i]);
+    const std::optional<int> place = structure.find(label);
     if (!place)
-      throw scene_error(scene, key,
-                        fmt::format("the matrices have no degree of freedom {} that is not held",
-                                    matrices.load[i]));
+      throw scene_error(
+          scene, key,
+          fmt::format("{} that is not held{}", structure.absence(label), left_out(scene)));
     const double value = count == 0 ? 1.0 : matrices.load_values[i];
     if (!std::isfinite(value))
       throw scene_error(scene, fmt::format("matrices.load_values.{}", i + 1),
@@ -107,11 +146,12 @@ std::vector<double> load_participation(const Scene& scene, const MatrixStructure
   return as_list(shapes.transpose() * load);
 }
 
-Matrix stop_rows(const Scene& scene, const StructuralMatrices& structure) {
+Matrix stop_rows(const Scene& scene, const StructuralMatrices& structure, const Mesh& mesh) {
   Matrix rows(structure.size(), static_cast<Eigen::Index>(scene.stops.size()));
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
-    rows.col(static_cast<Eigen::Index>(i)) = row_of(scene, structure, numbered_path("stop", i + 1),
-                                                    scene.stops[i].node, scene.stops[i].against);
+    rows.col(static_cast<Eigen::Index>(i)) =
+        row_of(scene, structure, mesh, numbered_path("stop", i + 1), scene.stops[i].node,
+               scene.stops[i].against);
   return rows;
 }
 
@@ -161,9 +201,14 @@ std::optional<Vector> MatrixModes::row(const std::string& text) const {
 std::array<double, 3> MatrixModes::displacement(long node, Eigen::Index mode) const {
   std::array<double, 3> moved{};
   for (int direction = 1; direction <= 3; ++direction) {
-    const auto place = rows.find({node, direction});
-    if (place != rows.end() && place->second >= 0)
-      moved[static_cast<std::size_t>(direction - 1)] = modes.shapes(place->second, mode);
+    // Of several rows, the layers of a shell, the mean.
+    int count = 0;
+    double sum = 0.0;
+    for (auto place = rows.lower_bound({node, direction});
+         place != rows.end() && place->first.node == node && place->first.direction == direction;
+         ++place, ++count)
+      if (place->second >= 0) sum += modes.shapes(place->second, mode);
+    if (count > 0) moved[static_cast<std::size_t>(direction - 1)] = sum / count;
   }
   return moved;
 }
@@ -185,9 +230,11 @@ void solve_matrices(Scene& scene) {
   MatrixFiles files{matrices.mass, matrices.stiffness, {}, {}};
   if (!matrices.damping.empty()) files.damping = matrices.damping;
   if (!matrices.dofs.empty()) files.dofs = matrices.dofs;
-  const StructuralMatrices structure = read_structure(files, constraints_of(scene, matrices));
+  Mesh mesh;
+  if (!matrices.coordinates.empty()) mesh = read_mesh(matrices.coordinates);
+  const StructuralMatrices structure = read_structure(files, constraints_of(scene, matrices, mesh));
   const auto found = std::make_shared<MatrixModes>();
-  const Matrix rows = stop_rows(scene, structure);
+  const Matrix rows = stop_rows(scene, structure, mesh);
   if (matrices.modes > static_cast<int>(structure.rows_with_mass().size()))
     throw scene_error(scene, "matrices.modes",
                       fmt::format("{} is not allowed, the matrices have {}", matrices.modes,
@@ -202,14 +249,15 @@ void solve_matrices(Scene& scene) {
   for (const auto& [direction, load] : structure.inertia_loads)
     found->inertia[direction] = shapes.transpose() * load;
   if (structure.damping) found->damping = modal_damping(structure, found->modes);
-  if (!matrices.coordinates.empty()) {
-    found->coordinates = read_coordinates(matrices.coordinates);
+  if (!mesh.nodes.empty()) {
+    found->coordinates = std::move(mesh.nodes);
+    found->elements = std::move(mesh.elements);
     found->couplings = structure.couplings;
   }
   found->weak_holds = weak_holds(structure);
   add_static_displacements(rows, *found);
   matrices.modal = {as_list(found->modes.omega), {}, {}, {}};
-  matrices.modal.participation = load_participation(scene, matrices, structure, shapes);
+  matrices.modal.participation = load_participation(scene, matrices, structure, mesh, shapes);
   if (const auto along = found->inertia.find(matrices.direction); along != found->inertia.end())
     matrices.modal.inertia = as_list(along->second);
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
@@ -218,8 +266,8 @@ void solve_matrices(Scene& scene) {
     Probe& probe = scene.probes[i];
     if (is_of_hub(probe.quantity)) continue;
     probe.shape =
-        as_list(shapes.transpose() *
-                row_of(scene, structure, numbered_path("probe", i + 1), probe.node, probe.against));
+        as_list(shapes.transpose() * row_of(scene, structure, mesh, numbered_path("probe", i + 1),
+                                            probe.node, probe.against));
   }
   matrices.solved = found;
 }

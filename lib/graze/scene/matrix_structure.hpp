@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "graze/fem/mesh_file.hpp"
 #include "graze/fem/modal_damping.hpp"
 #include "graze/fem/structural_modes.hpp"
 #include "graze/scene/scene.hpp"
@@ -31,6 +32,7 @@ struct MatrixModes {
   // printed with few digits: r^T K r relative to r^T |K| r, r a displacement of all of it.
   std::map<int, double> weak_holds;
   std::map<long, std::array<double, 3>> coordinates;  // of nodes, m; empty: not known
+  std::vector<MeshElement> elements;                  // of their file; may be none
   // Pairs of nodes that the stiffness couples, where coordinates are known.
   std::vector<std::pair<long, long>> couplings;
 

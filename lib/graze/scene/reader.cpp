@@ -37,11 +37,13 @@ struct Reading {
   std::filesystem::path folder;
 };
 
-// Choices, and which tables there are, come first, since they decide which of the other keys apply.
+// Choices, and which tables there are, come first, in all tables of the scene, since they decide
+// which of the other keys apply.
 enum class Pass { kChoices, kValues };
 
 template <class Table>
-void read_table(Reading& reading, const Node& node, const std::string& path, Table& value);
+void read_table(Reading& reading, const Node& node, const std::string& path, Table& value,
+                Pass pass);
 
 class KeyReader : public SchemaVisitor {
  public:
@@ -171,11 +173,9 @@ class KeyReader : public SchemaVisitor {
   void table(const TableKey& key, auto&& value) {
     const Node* node = table_.find(key.name);
     if (node == nullptr) return;
-    if (pass_ == Pass::kValues) {
-      if (value) read_table(reading_, *node, table_.path(key.name), *value);
-    } else if constexpr (requires { value.emplace(); }) {
-      value.emplace();
-    }
+    if constexpr (requires { value.emplace(); })
+      if (pass_ == Pass::kChoices) value.emplace();
+    if (value) read_table(reading_, *node, table_.path(key.name), *value, pass_);
   }
   // How many there are is known before what they hold.
   template <class Table>
@@ -185,9 +185,8 @@ class KeyReader : public SchemaVisitor {
     const std::string path = table_.path(key.name);
     const NodeList& entries = tables_of(*node, path);
     values.resize(entries.size());
-    if (pass_ == Pass::kChoices) return;
     for (std::size_t k = 0; k < values.size(); ++k)
-      read_table(reading_, entries[k], numbered_path(path, k + 1), values[k]);
+      read_table(reading_, entries[k], numbered_path(path, k + 1), values[k], pass_);
   }
 
  private:
@@ -254,7 +253,8 @@ void prepare(const TableReader& root, const Node&, Scene& scene, const Scene&) {
 }
 
 template <class Table>
-void read_table(Reading& reading, const Node& node, const std::string& path, Table& value) {
+void read_table(Reading& reading, const Node& node, const std::string& path, Table& value,
+                Pass last) {
   const TableReader table(node, path, reading.origins);
   prepare(table, node, value, reading.scene);
   const auto read = [&](Pass pass) {
@@ -265,7 +265,7 @@ void read_table(Reading& reading, const Node& node, const std::string& path, Tab
       describe(reader, value, reading.scene);
   };
   read(Pass::kChoices);
-  read(Pass::kValues);
+  if (last == Pass::kValues) read(Pass::kValues);
 }
 
 }  // namespace
@@ -277,7 +277,7 @@ Scene parse_scene(const std::string& text, const std::string& name,
   Scene scene;
   const auto origins = std::make_shared<Origins>();
   Reading reading{scene, *origins, std::filesystem::path(name).parent_path()};
-  read_table(reading, root, "", scene);
+  read_table(reading, root, "", scene, Pass::kValues);
   scene.origins = origins;
   if (scene.matrices()) solve_matrices(scene);
   check_scene(scene);

@@ -195,7 +195,10 @@ constexpr const char* kLabelWords =
 std::string label_of(const Node& node, const std::string& key) {
   if (const auto* number = node.as<std::int64_t>()) return std::to_string(*number);
   const auto* text = node.as<std::string>();
-  if (text == nullptr || !label_from_text(*text))
+  // The set of nodes that a name stands for is looked up where the files are read.
+  const bool is_name =
+      text && !text->empty() && std::isalpha(static_cast<unsigned char>((*text)[0]));
+  if (text == nullptr || (!is_name && !label_from_text(*text)))
     fail_at(node.place, key, refusal(node, kLabelWords));
   return *text;
 }

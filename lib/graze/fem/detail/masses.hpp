@@ -8,29 +8,44 @@
 
 namespace graze {
 
-// The degrees of freedom with mass of a structure, which must outlive it.
+// The degrees of freedom with mass of a structure, which must outlive it. Elements with reduced
+// integration leave the mass matrix semidefinite on them: combinations of them have no mass.
 class Masses {
  public:
+  // Throws InputError where the mass matrix has a negative eigenvalue.
   explicit Masses(const StructuralMatrices& structure);
   Masses(const Masses&) = delete;
   Masses& operator=(const Masses&) = delete;
 
-  // Throws InputError where the mass matrix is not positive definite on them.
-  void check_definite() const;
-  // Throws InputError where the others, which have no mass, can move without strain energy while
-  // these rest: their stiffness then does not tell how they follow.
+  // Throws InputError where the other degrees of freedom, whose rows of the mass are zero, can move
+  // without strain energy while these rest: their stiffness then does not tell how they follow.
   void check_others() const;
 
-  int rank() const { return static_cast<int>(rows_.size()); }
-  const std::vector<int>& rows() const { return rows_; }  // ascending
-  const SparseMatrix& matrix() const { return matrix_; }  // of these rows
+  // Of the mass matrix: as many modes there are. Of a large semidefinite one, whose eigenvalues
+  // could not be counted, the number of rows.
+  int rank() const { return rank_; }
+  bool is_singular() const { return is_singular_; }       // on its rows
+  const std::vector<int>& rows() const { return rows_; }  // that are not zero, ascending
+  // F with M = F F^T on these rows, rows by rank; empty of a large semidefinite matrix.
+  Matrix factor() const;
 
  private:
+  bool is_definite() const;
+  void find_rank();
+  [[noreturn]] void refuse(Eigen::Index row) const;
+
   const StructuralMatrices& structure_;
   const std::vector<int> rows_;
   const SparseMatrix part_;  // where not all have mass
   const SparseMatrix& matrix_;
+  int rank_;
+  bool is_singular_ = false;
+  Matrix factor_;  // of a semidefinite one
 };
+
+// An eigenvalue of D^-1/2 M D^-1/2, D the diagonal of M, below this is 0: files with 14 digits
+// leave 5e-14 of each entry, and some 80 entries a row.
+inline constexpr double kNullMass = 1e-11;
 
 // The name of a row, for messages; "?" of a negative one.
 std::string row_name(const StructuralMatrices& structure, int row);

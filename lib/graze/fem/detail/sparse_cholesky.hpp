@@ -22,9 +22,13 @@ class SparseCholesky {
   // that shows. Throws std::bad_alloc where the memory does not suffice.
   bool factorise(const SparseMatrix& matrix);
   int failed_row() const;
-  // Smallest pivot relative to the diagonal entry it came from: about the unit roundoff where the
-  // matrix is singular.
-  double smallest_pivot() const;
+  // Smallest pivot relative to the diagonal entry it came from, about the unit roundoff where the
+  // matrix is singular, and its row.
+  struct Pivot {
+    double relative;
+    int row;
+  };
+  Pivot smallest_pivot() const;
   // Of the factors at hand.
   Matrix solve(const Matrix& right) const;
   void solve(const double* right, double* result) const;

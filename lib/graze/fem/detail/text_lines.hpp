@@ -19,11 +19,14 @@ bool starts_without_case(std::string_view text, std::string_view start);
 
 class TextLines {
  public:
-  // `name` is what messages call the file.
-  TextLines(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {}
+  // `name` is what messages call the file. A byte order mark is passed over; throws InputError
+  // where it is that of UTF-16.
+  TextLines(std::string name, std::string text);
 
   // To the next line; false at the end.
   bool next();
+  // To the next line that is not blank.
+  bool next_text();
   std::string_view line() const { return line_; }
   int number() const { return number_; }
   const std::string& name() const { return name_; }

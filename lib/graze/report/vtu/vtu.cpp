@@ -12,10 +12,59 @@ namespace {
 // More couplings than so many a node are those of a solid, which lines would only hide.
 constexpr std::size_t kMostLinesPerNode = 3;
 
+// Of VTK.
+constexpr int kVertex = 1, kPolyVertex = 2, kLine = 3;
+
+// How ParaView draws an element: the first of these that its type begins with, and in which order
+// VTK has its nodes, where that is another one. It has as many nodes.
+struct Drawn {
+  const char* type;
+  std::size_t nodes;
+  int cell;
+};
+constexpr Drawn kDrawn[] = {
+    {"C3D4", 4, 10},   {"C3D6", 6, 13},   {"C3D8", 8, 12}, {"C3D10", 10, 24},  {"C3D15", 15, 26},
+    {"C3D20", 20, 25}, {"B31", 2, kLine}, {"B32", 3, 21},  {"T3D2", 2, kLine}, {"T3D3", 3, 21},
+    {"B21", 2, kLine}, {"S3", 3, 5},      {"S4", 4, 9},    {"S6", 6, 22},      {"S8", 8, 23},
+};
+constexpr int kQuadraticEdge = 21;
+
+struct Cell {
+  int type = kVertex;
+  std::vector<std::size_t> places;
+};
+
 struct Grid {
   std::vector<long> nodes;
-  std::vector<std::pair<std::size_t, std::size_t>> lines;
+  std::vector<Cell> cells;
 };
+
+// What is not known how to draw is drawn by its nodes.
+int cell_of(const MeshElement& element) {
+  for (const Drawn& drawn : kDrawn)
+    if (element.type.starts_with(drawn.type) && element.nodes.size() == drawn.nodes)
+      return drawn.cell;
+  return kPolyVertex;
+}
+
+std::vector<Cell> cells_of(const MatrixModes& found, const std::map<long, std::size_t>& places) {
+  std::vector<Cell> cells;
+  const auto add = [&](int type, const std::vector<long>& nodes) {
+    Cell cell{type, {}};
+    for (const long node : nodes)
+      if (const auto place = places.find(node); place != places.end())
+        cell.places.push_back(place->second);
+    if (cell.places.size() != nodes.size()) return;
+    if (type == kQuadraticEdge) std::swap(cell.places[1], cell.places[2]);
+    cells.push_back(std::move(cell));
+  };
+  for (const MeshElement& element : found.elements) add(cell_of(element), element.nodes);
+  if (cells.empty() && found.couplings.size() <= kMostLinesPerNode * places.size())
+    for (const auto& [first, second] : found.couplings) add(kLine, {first, second});
+  if (cells.empty())
+    for (const auto& [node, place] : places) cells.push_back({kVertex, {place}});
+  return cells;
+}
 
 Grid grid_of(const MatrixModes& found) {
   Grid grid;
@@ -24,11 +73,7 @@ Grid grid_of(const MatrixModes& found) {
     places.emplace(node, grid.nodes.size());
     grid.nodes.push_back(node);
   }
-  if (found.couplings.size() > kMostLinesPerNode * grid.nodes.size()) return grid;
-  for (const auto& [first, second] : found.couplings) {
-    const auto a = places.find(first), b = places.find(second);
-    if (a != places.end() && b != places.end()) grid.lines.emplace_back(a->second, b->second);
-  }
+  grid.cells = cells_of(found, places);
   return grid;
 }
 
@@ -41,15 +86,12 @@ std::string array(const char* type, const std::string& name, int components,
 }
 
 std::string cells_text(const Grid& grid) {
-  constexpr int kVertex = 1, kLine = 3;  // of VTK
-  const bool has_lines = !grid.lines.empty();
-  const std::size_t count = has_lines ? grid.lines.size() : grid.nodes.size();
   std::string connectivity, offsets, types;
-  for (std::size_t i = 0; i < count; ++i) {
-    connectivity += has_lines ? fmt::format("{} {}\n", grid.lines[i].first, grid.lines[i].second)
-                              : fmt::format("{}\n", i);
-    offsets += fmt::format("{}\n", (i + 1) * (has_lines ? 2 : 1));
-    types += fmt::format("{}\n", has_lines ? kLine : kVertex);
+  std::size_t offset = 0;
+  for (const Cell& cell : grid.cells) {
+    connectivity += fmt::format("{}\n", fmt::join(cell.places, " "));
+    offsets += fmt::format("{}\n", offset += cell.places.size());
+    types += fmt::format("{}\n", cell.type);
   }
   return "      <Cells>\n" + array("Int64", "connectivity", 1, connectivity) +
          array("Int64", "offsets", 1, offsets) + array("UInt8", "types", 1, types) +
@@ -65,7 +107,6 @@ std::string grid_text(const MatrixModes& found, const Grid& grid, Eigen::Index m
     moved += fmt::format("{} {} {}\n", u[0], u[1], u[2]);
     names += fmt::format("{}\n", node);
   }
-  const std::size_t cells = grid.lines.empty() ? grid.nodes.size() : grid.lines.size();
   return fmt::format(
              "<?xml version=\"1.0\"?>\n"
              "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
@@ -73,7 +114,7 @@ std::string grid_text(const MatrixModes& found, const Grid& grid, Eigen::Index m
              "  <UnstructuredGrid>\n"
              "    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n"
              "      <PointData Vectors=\"displacement\">\n",
-             grid.nodes.size(), cells) +
+             grid.nodes.size(), grid.cells.size()) +
          array("Float64", "displacement", 3, moved) + array("Int64", "node", 1, names) +
          "      </PointData>\n      <Points>\n" + array("Float64", "points", 3, points) +
          "      </Points>\n" + cells_text(grid) +

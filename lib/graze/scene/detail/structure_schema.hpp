@@ -5,6 +5,7 @@
 
 #include "graze/scene/detail/choices.hpp"
 #include "graze/scene/detail/key.hpp"
+#include "graze/scene/detail/matrix_schema.hpp"
 #include "graze/scene/scene.hpp"
 
 namespace graze {
@@ -174,15 +175,19 @@ void describe(auto& v, Of<Bar> auto& bar, const Scene&) {
   describe_places(v, bar);
 }
 
-void describe(auto& v, Of<ModalStructure> auto& modal, const Scene&) {
+void describe(auto& v, Of<ModalStructure> auto& modal, const Scene& scene) {
   v.list({"frequencies", "rad/s", kNotNegative, "w_j; 0 is a free mass"}, modal.frequencies);
   v.list(Key{"damping_ratios", "", kNotNegative,
              "delta_j/w_j, so the decay rate is ratio times w_j; 1 is critical"}
              .or_else("no damping"),
          modal.damping_ratios);
   // Mass-normalised coordinates q are in kg^1/2 m, so modal forces are in kg^1/2 m/s^2.
-  v.list(Key{"participation", "kg^1/2 m/s^2", kAny, "modal force per unit of `forcing.amplitude`"}
-             .or_else("needed by forcing `\"modal\"`"),
+  v.list(of_load(Key{"participation", "kg^1/2 m/s^2", kAny,
+                     "modal force per unit of `forcing.amplitude`"}
+                     .or_else("needed by forcing `\"modal\"`"),
+                 scene,
+                 "forcing moves the base and not by these: forcing.kind must be \"modal\", or it "
+                 "must be left out"),
          modal.participation);
   v.list(Key{"inertia", "kg^1/2", kAny, "modal force per unit of uniform acceleration"}.or_else(
              "needed by forcing `\"base\"` and by `[gravity]`"),
