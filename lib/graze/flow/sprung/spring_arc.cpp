@@ -1,5 +1,7 @@
 #include "graze/flow/sprung/detail/spring_arc.hpp"
 
+#include <limits>
+
 #include "graze/system/detail/gap_value.hpp"
 
 namespace graze {
@@ -7,6 +9,18 @@ namespace {
 
 Vector or_zero(const Vector& list, Eigen::Index n) {
   return list.size() > 0 ? list : Vector(Vector::Zero(n));
+}
+
+// What closed stops leave of a spring's row. Where they hold its depth that is nothing; its
+// rounding would be taken for a contact with hardly any mobility, and the units of the contact from
+// it.
+Vector left_of_row(const ConstrainedStructure<double>& structure, const Vector& row) {
+  constexpr double kRoundings = 16.0;
+  Vector left = structure.rates(row);
+  const double rounding = kRoundings * std::numeric_limits<double>::epsilon() *
+                          static_cast<double>(row.size()) * row.norm();
+  if (!structure.is_free() && left.norm() <= rounding) left.setZero();
+  return left;
 }
 
 }  // namespace
@@ -49,7 +63,7 @@ void add_springs(const System& system, const PhaseKey& key,
   const auto add = [&](const std::vector<int>& stops, bool loaded) {
     for (const int i : stops) {
       const Stop& stop = system.stops[static_cast<std::size_t>(i)];
-      const Vector row = structure.rates(stop.row);
+      const Vector row = left_of_row(structure, stop.row);
       const Vector acting = structure.left.size() > 0 ? Vector(structure.left * stop.row) : row;
       equations.springs.push_back({stop.force(), row, acting, loaded, stop.row});
     }

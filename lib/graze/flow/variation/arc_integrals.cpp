@@ -41,13 +41,34 @@ std::optional<Signal> free_signal(const Arc<double>& arc, const Observable<doubl
   return signal;
 }
 
-// Nothing where some of the motion is no sum of exponentials.
+// Whether two of its terms nearly are one: near critical damping rates and sizes, opposite ones, are
+// told apart by a small difference d, and the integral of the square cancels by d^2. So d may cost
+// half of the bits that are given for it.
+bool nearly_cancels(const Signal& signal) {
+  const double apart = 1.0 / std::sqrt(kLargestLoss);
+  const auto is_near = [&](const SignalTerm& a, Complex size, Complex rate) {
+    return std::abs(a.rate - rate) < apart * std::abs(rate) &&
+           std::abs(a.size + size) < apart * std::abs(size);
+  };
+  for (std::size_t i = 0; i < signal.size(); ++i) {
+    const SignalTerm& one = signal[i];
+    if (one.rate.imag() != 0.0) {
+      if (is_near(one, std::conj(one.size), std::conj(one.rate))) return true;
+      continue;
+    }
+    for (std::size_t j = 0; j < i; ++j)
+      if (is_near(signal[j], one.size, one.rate)) return true;
+  }
+  return false;
+}
+
+// Nothing where some of the motion is no sum of exponentials that can be told apart.
 std::optional<Signal> signal_of(const ExactPhase<double>& phase,
                                 const Observable<double>& observable) {
   if (const Arc<double>* arc = phase.arc()) return free_signal(*arc, observable);
   Signal signal;
   const auto add = [&](Complex size, Complex rate) { signal.push_back({size, rate}); };
-  if (!phase.coupled_arc()->each_term(observable, add)) return {};
+  if (!phase.coupled_arc()->each_term(observable, add) || nearly_cancels(signal)) return {};
   return signal;
 }
 

@@ -300,6 +300,7 @@ ClosedChatter<Real> Motion<Real>::settled(const std::vector<int>& stops, const R
     closed.stops.push_back(i);
     set(i, Contact::kTouching);
   }
+  judge_again(Jumped::kVelocities);
   std::sort(closed.stops.begin(), closed.stops.end());
   return closed;
 }

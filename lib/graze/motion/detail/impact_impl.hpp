@@ -48,15 +48,25 @@ void Motion<Real>::impact_alone(int i) {
   push_back(s, left);
   set(i, Contact::kTouching);
   shares_.assign(1, {i, speed, target, impulse + left, true});
-  look_at_joint();
 }
 
 template <class Real>
 const std::vector<ImpactShare<Real>>& Motion<Real>::impact() {
-  if (const int alone = lone_stop(); alone >= 0) {
+  const Real before = kinetic_square();
+  if (const int alone = lone_stop(); alone >= 0)
     impact_alone(alone);
-    return shares_;
-  }
+  else
+    impact_together();
+  judge_again(Jumped::kVelocities);
+  look_at_joint();
+  eventful_ = true;
+  audit_impact(before);
+  return shares_;
+}
+
+// On all stops that are touched.
+template <class Real>
+void Motion<Real>::impact_together() {
   Touched touched = touched_stops();
   Jump jump = jump_of(touched);
   if (drives_back(touched, jump)) {
@@ -93,8 +103,6 @@ const std::vector<ImpactShare<Real>>& Motion<Real>::impact() {
   }
   if (shares_.size() == 1) shares_.front().hit = true;
   phase_ = nullptr;
-  look_at_joint();
-  return shares_;
 }
 
 template <class Real>

@@ -149,6 +149,8 @@ class Motion {
     ArrivalKind kind;
     int stop;
   };
+  // What an event has changed that other contacts go by.
+  enum class Jumped { kVelocities, kForces };
   void adopt_system();
   const MetStop& stop(int i) const { return stops_[static_cast<std::size_t>(i)]; }
   Contact contact(int i) const { return now_.contacts[static_cast<std::size_t>(i)]; }
@@ -187,6 +189,7 @@ class Motion {
   void decide_springs();
   std::optional<int> departure_from_rest(int stop);
   void compress(int stop);
+  void judge_again(Jumped what);
   void arrive_at_spring(Arrival<Real>& arrival);
   // Of the acceleration, by the springs that are compressed.
   void add_spring_forces(RealVector<Real>& acceleration, RealVector<Real>* size) const;
@@ -233,6 +236,7 @@ class Motion {
   // The stop of an impact that concerns it alone; -1: others are touched or held too.
   int lone_stop() const;
   void impact_alone(int stop);
+  void impact_together();
   void apply(const std::vector<int>& touched, const RealVector<Real>& target,
              RealVector<Real>& impulse);
   bool is_quiet(const ContactPhase<Real>& phase, const std::vector<int>& chattering,
@@ -256,6 +260,13 @@ class Motion {
   Arrival<Real> arrive(Arrival<Real> arrival, const Real& until);
   void settle_on(int stop, const Real& flight);
   void touch_simultaneous(const Real& flight);
+  void fail_audit(int stop, std::string what);
+  Real passing_rounding(int stop, const MotionState<Real>& at) const;
+  void audit_gaps();
+  void audit_forces();
+  bool pulls(const std::vector<int>& held) const;
+  Real kinetic_square() const;
+  void audit_impact(const Real& before);
 
   const System system_;
   const std::optional<StepSetting> steps_;
@@ -283,6 +294,8 @@ class Motion {
   std::vector<Change> changes_;
   std::vector<ImpactShare<Real>> shares_;  // of the last impact
   int arrivals_at_once_ = 0;               // arrivals without flight in a row
+  bool eventful_ = false;                  // something has happened since the last flight
+  std::optional<Arrival<Real>> broken_;    // by what the audit found
   std::string refusal_;
 };
 

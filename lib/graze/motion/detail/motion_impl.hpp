@@ -9,6 +9,7 @@
 #include "graze/contact/detail/impulse.hpp"
 #include "graze/flow/detail/phase_choice.hpp"
 #include "graze/motion/detail/chatter_impl.hpp"
+#include "graze/motion/detail/contact_audit_impl.hpp"
 #include "graze/motion/detail/contact_decision_impl.hpp"
 #include "graze/motion/detail/impact_impl.hpp"
 #include "graze/motion/detail/joint_impl.hpp"
@@ -70,6 +71,8 @@ void Motion<Real>::go_on_from(const MotionState<Real>& state) {
   changes_.clear();
   phase_ = nullptr;
   arrivals_at_once_ = 0;
+  eventful_ = false;
+  broken_.reset();
   refusal_.clear();
 }
 
@@ -183,10 +186,11 @@ const ArcCurve<Real>& Motion<Real>::gap_ahead(int i, const Real& window) {
 template <class Real>
 Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
   const Instant<Real> start = now_.instant;
-  std::optional<Arrival<Real>> arrival;
-  if (changes_.empty() && undecided_) arrival = decide();
+  std::optional<Arrival<Real>> arrival = broken_;
+  if (!arrival && changes_.empty() && undecided_) arrival = decide();
   if (!arrival && !changes_.empty()) {
     arrival = Arrival<Real>{changes_.front().kind, changes_.front().stop};
+    arrival->below = contact(arrival->stop) == Contact::kParted;
     changes_.erase(changes_.begin());
   }
   if (!arrival && !(until > now_.instant.local)) arrival = stay();
@@ -238,6 +242,8 @@ Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
     refusal_ = phase.refusal();
     return {ArrivalKind::kRefused, first_of(phase)};
   }
+  if (std::exchange(eventful_, false)) audit_forces();
+  if (broken_) return *broken_;
   const Real left = until - now_.instant.local;
   const Arrival<Real> arrival =
       phase.first_event(now_, {left, horizon - now_.instant.local, looked_at_, stop_, told_depth_});
@@ -260,6 +266,7 @@ Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
   const bool whole = arrival.flight == until - now_.instant.local;
   if (arrival.flight > 0) {
     phase_->state(arrival.flight, now_.q, now_.qdot);
+    audit_gaps();
     // A stop that has hardly been left still counts as touched: the sign of its gap is rounding.
     for (const int i : all_)
       if (contact(i) == Contact::kDeparting)
@@ -286,15 +293,25 @@ Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
       arrival.kind = ArrivalKind::kNotFinite;
       return arrival;
     }
+  if (broken_) {
+    arrival.kind = broken_->kind;
+    arrival.stop = broken_->stop;
+    return arrival;
+  }
+  eventful_ = arrival.kind != ArrivalKind::kTime;
   if (arrival.stop >= 0 && stop(arrival.stop).is_compliant() &&
       arrival.kind != ArrivalKind::kTime && arrival.kind != ArrivalKind::kUndecided) {
     arrive_at_spring(arrival);
     return arrival;
   }
   switch (arrival.kind) {
-    case ArrivalKind::kJoint:
+    case ArrivalKind::kJoint: {
+      // Friction jumps where the joint has turned until now; what turns it again grows up to it.
+      const bool stops = now_.joint != Joint::kHeld;
       arrive_at_joint(arrival.forward);
+      if (stops) judge_again(Jumped::kForces);
       break;
+    }
     case ArrivalKind::kContact:
       // A gap that touches zero without approaching has nothing to undo: a grazing from outside, or
       // a point within rounding of one.

@@ -75,25 +75,54 @@ void Motion<Real>::compress(int i) {
   phase_ = nullptr;
 }
 
-// Of those touched: approached or pushed they are entered, else they are left.
+// The velocities have jumped at this instant, or the force of a spring has: every other contact is
+// judged again. Springs by their forces, which velocities change, here; what touches a surface, and
+// what closed stops hold, by decide().
+template <class Real>
+void Motion<Real>::judge_again(Jumped what) {
+  for (const int i : compliant_) {
+    const Contact before = contact(i);
+    const bool rests =
+        before == Contact::kLocked ||
+        (before == Contact::kDeparting && now_.multiplicities[static_cast<std::size_t>(i)] > 1);
+    if (rests || (before == Contact::kDeparting && what == Jumped::kVelocities))
+      set(i, Contact::kTouching);
+    if (what == Jumped::kForces || !stop(i).force().parts_early()) continue;
+    // At its surface the next phase says whether it is left.
+    if ((before != Contact::kCompressed && before != Contact::kParted) || !(depth(i) > 0)) continue;
+    compress(i);
+    if (contact(i) != before)
+      changes_.push_back(
+          {before == Contact::kParted ? ArrivalKind::kEntry : ArrivalKind::kSeparation, i});
+  }
+  if (is_closed_anywhere()) undecided_ = recheck_ = true;
+}
+
+// Of those touched: approached or pushed they are entered, else they are left. Those at rest last:
+// what is entered may push them.
 template <class Real>
 void Motion<Real>::decide_springs() {
+  const auto enter = [&](int i) {
+    compress(i);
+    changes_.push_back({ArrivalKind::kEntry, i});
+  };
   for (const int i : compliant_) {
     if (contact(i) != Contact::kTouching) continue;
     const Real speed = approach_speed(i), rounding = speed_rounding(i);
     if (speed < -rounding) {
       set(i, Contact::kDeparting, 1);
-      continue;
+    } else if (speed > rounding) {
+      enter(i);
+      if (!stop(i).force().sets_in_smoothly()) judge_again(Jumped::kForces);
     }
-    if (!(speed > rounding)) {
-      const std::optional<int> departs = departure_from_rest(i);
-      if (!departs || *departs > 0) {
-        set(i, departs ? Contact::kDeparting : Contact::kLocked, departs.value_or(0));
-        continue;
-      }
-    }
-    compress(i);
-    changes_.push_back({ArrivalKind::kEntry, i});
+  }
+  for (const int i : compliant_) {
+    if (contact(i) != Contact::kTouching) continue;
+    const std::optional<int> departs = departure_from_rest(i);
+    if (!departs || *departs > 0)
+      set(i, departs ? Contact::kDeparting : Contact::kLocked, departs.value_or(0));
+    else
+      enter(i);
   }
 }
 
@@ -130,6 +159,9 @@ void Motion<Real>::arrive_at_spring(Arrival<Real>& arrival) {
     } else {
       set(i, arrival.speed < 0 ? Contact::kDeparting : Contact::kTouching,
           arrival.speed < 0 ? 1 : 0);
+      // What pulled to the last does so no longer.
+      if (arrival.kind == ArrivalKind::kSeparation && !stop(i).force().sets_in_smoothly())
+        judge_again(Jumped::kForces);
     }
   }
   phase_ = nullptr;

@@ -78,6 +78,12 @@ class Sprung {
     return contact_frequency_ > 0.0 ? std::fmin(longest, 0.1 / contact_frequency_) : longest;
   }
 
+  // The quickest oscillation of the structure, the contact or the force, rad/s; 0 where the steps
+  // are short against it.
+  double quickest() const {
+    return system_.turning ? 0.0 : std::fmax(largest_of(scale_), system_.frequency);
+  }
+
   // What the right-hand side is made of, for those who expand it. Of a structure that turns these
   // are not all.
   const SprungSystem& system() const { return system_; }

@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "graze/base/angle.hpp"
 #include "graze/base/detail/bracketed_zero.hpp"
 #include "graze/flow/stepped/detail/sprung_rates_turning_impl.hpp"
 #include "graze/flow/stepped/detail/step_methods.hpp"
@@ -64,30 +65,12 @@ class WalkingFlow final : public StepFlow {
       }
       const double end = std::min(walk_.to(), window);
       if (!(end > from)) return not_finite(found, from);
-      if (end < walk_.to()) walk_.between(end, last_);
-      const State& x = end < walk_.to() ? last_ : walk_.state_at_end();
-      found.values += static_cast<long long>(watches.size());
-      for (std::size_t i = 0; i < watches.size(); ++i) {
-        const double there = walk_.rates.observed(*watches[i], end, x);
-        if (!std::isfinite(there)) return not_finite(found, from);
-        if (end <= until && watches[i]->is_told) found.lowest = std::min(found.lowest, there);
-        double zero = end;
-        if constexpr (kSprung) {
-          const double slope = walk_.rates.rate(*watches[i], end, x);
-          const std::optional<double> dip =
-              there > 0.0 && slopes_[i] < 0.0 && slope > 0.0
-                  ? dip_between(*watches[i], from, end, slope, until, found)
-                  : std::nullopt;
-          slopes_[i] = slope;
-          if (there > 0.0 && !dip) continue;
-          zero = dip ? *dip : locate(*watches[i], from, end, there, found.values);
-        } else {
-          if (there > 0.0) continue;
-          zero = locate(*watches[i], from, end, there, found.values);
-        }
-        if (found.watch >= 0 && !(zero < found.s)) continue;
-        found.watch = static_cast<int>(i);
-        found.s = zero;
+      const int parts = parts_of(end - from);
+      double part_from = from;
+      for (int part = 1; part <= parts && found.watch < 0; ++part) {
+        const double part_end = part < parts ? from + (end - from) * part / parts : end;
+        if (!look(watches, part_from, part_end, until, found)) return not_finite(found, from);
+        part_from = part_end;
       }
       if constexpr (kSprung) pass_peaks(from, std::min(end, found.s), told_depth);
       from = end;
@@ -147,6 +130,50 @@ class WalkingFlow final : public StepFlow {
   static constexpr bool kSprung = requires(const typename Walk::RatesOf& rates) {
     rates.springs();
   };
+
+  // Of a step, for the search: in half a turn of its quickest oscillation a watch falls and rises
+  // hardly more than once.
+  int parts_of(double step) const {
+    if constexpr (kSprung) {
+      const double turned = walk_.rates.quickest() * step;
+      if (turned > kTurn / 2.0)
+        return static_cast<int>(std::ceil(std::fmin(turned, 1e3) / (kTurn / 2.0)));
+    }
+    return 1;
+  }
+
+  // The first watch to fall through zero within (from, end] of the step taken last; false where one
+  // is not finite.
+  bool look(std::span<const Watch* const> watches, double from, double end, double until,
+            StepDescent& found) {
+    if (end < walk_.to()) walk_.between(end, last_);
+    const State& x = end < walk_.to() ? last_ : walk_.state_at_end();
+    found.values += static_cast<long long>(watches.size());
+    for (std::size_t i = 0; i < watches.size(); ++i) {
+      const double there = walk_.rates.observed(*watches[i], end, x);
+      if (!std::isfinite(there)) return false;
+      if (end <= until && watches[i]->is_told) found.lowest = std::min(found.lowest, there);
+      double zero = end;
+      if constexpr (kSprung) {
+        const double slope = walk_.rates.rate(*watches[i], end, x);
+        const std::optional<double> dip =
+            there > 0.0 && slopes_[i] < 0.0 && slope > 0.0
+                ? dip_between(*watches[i], from, end, slope, until, found)
+                : std::nullopt;
+        slopes_[i] = slope;
+        if (there > 0.0 && !dip) continue;
+        zero = dip ? *dip : locate(*watches[i], from, end, there, found.values);
+      } else {
+        if (there > 0.0) continue;
+        zero = locate(*watches[i], from, end, there, found.values);
+      }
+      if (found.watch >= 0 && !(zero < found.s)) continue;
+      found.watch = static_cast<int>(i);
+      found.s = zero;
+    }
+    return true;
+  }
+
   struct Peak {
     double force = 0.0, force_rate = 0.0;  // N; N/s, at the end of the last step
     double depth = 0.0;                    // m
