@@ -58,7 +58,7 @@ int run(const CheckCommand& command) {
     return 0;
   }
   const ModalModel model = modal_model(scene);
-  CheckRecord record{run_info(command.name, command.scene, scene),
+  CheckRecord record{info_of_call(command, scene),
                      scene,
                      model,
                      assemble(scene, model),
@@ -77,7 +77,6 @@ int run(const CheckCommand& command) {
     record.warnings.push_back(warning);
   warn(command, record.warnings);
   prepare_output(command);
-  note_call(command, record.info);
   return conclude(command, record, scene);
 }
 

@@ -144,7 +144,7 @@ int compare_motions(const CompareCommand& command) {
     }
   }
   set_comparison(command, record.options);
-  record.info = run_info(command.name, command.scene, scenes.front());
+  record.info = info_of_call(command, scenes.front());
   note_comparison(command, record.options, record.info);
   for (std::size_t i = 0; i < scenes.size(); ++i)
     for (const std::string& warning : system_warnings(scenes[i], assemble(scenes[i])))
@@ -175,7 +175,7 @@ int compare_over_plane(const CompareCommand& command) {
   set_comparison(command, options);
   static_cast<Plane&>(options) = plane_of(command, command, command.points, command.second_points);
   ComparisonMapRecord record;
-  record.info = run_info(command.name, command.scene, one);
+  record.info = info_of_call(command, one);
   record.one = "the scene";
   record.other = other_name(command);
   record.against = command.against;
@@ -189,7 +189,6 @@ int compare_over_plane(const CompareCommand& command) {
       record.warnings.push_back(name + ": " + warning);
   warn(command, record.warnings);
   prepare_output(command);
-  note_call(command, record.info);
   JournalledWork work(command, command.journal, {record.info, "cell", options.cells(), 1, {}, {}});
   work.set(options);
   options.progress = progress_line(command, static_cast<int>(options.cells()), "cells");

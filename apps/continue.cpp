@@ -122,7 +122,7 @@ int run(const ContinueCommand& command) {
   BranchOptions options = branch_options(command);
   if (restart) start_from(*restart, command, options);
   const SystemFamily family(scene, command.parameter);
-  BranchRecord record{run_info(command.name, command.scene, scene),
+  BranchRecord record{info_of_call(command, scene),
                       assemble(scene),
                       {},
                       command.from,
@@ -134,8 +134,7 @@ int run(const ContinueCommand& command) {
   // A range that reaches beyond what the scene allows is the user's error, not a broken branch.
   for (const double value : {command.from, command.to})
     with_parameter(scene, command.parameter, value);
-  note_call(command, record.info);
-  if (restart) note_values(*restart, command.parameter, record.info);
+  if (restart) note_values(*restart, {command.parameter}, record.info);
   record.info.options.emplace_back("parameter", command.parameter);
   record.info.options.emplace_back("from", command.from);
   record.info.options.emplace_back("to", command.to);

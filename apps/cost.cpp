@@ -37,7 +37,7 @@ int run(const CostCommand& command) {
   check_plot<CostRecord>(command);
   const Scene scene = scene_of(command);
   CostRecord record;
-  record.info = run_info(command.name, command.scene, scene);
+  record.info = info_of_call(command, scene);
   const System system = assemble(scene);
   const State start = initial_state(scene, system);
   record.warnings = system_warnings(scene, system);

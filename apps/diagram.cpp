@@ -97,7 +97,7 @@ int run(const DiagramCommand& command) {
     with_parameter(scene, command.parameter, value);
   DiagramRecord record;
   record.section = command.section;
-  record.branches = {run_info(command.name, command.scene, scene),
+  record.branches = {info_of_call(command, scene),
                      assemble(scene),
                      {},
                      command.from,
@@ -108,7 +108,6 @@ int run(const DiagramCommand& command) {
   const std::vector<MeasuredPlace> places = measured_places(scene, record.branches.system);
   record.branches.shown = shown_of(command.curve, command.curve_at, places);
   if (command.measures()) record.branches.amplitudes.places = places;
-  note_call(command, record.branches.info);
   note_rows(command, options, record.branches.info);
   record.branches.warnings = system_warnings(scene, record.branches.system);
   warn(command, record.branches.warnings);

@@ -31,7 +31,7 @@ int run_diagram_of_runs(const DiagramCommand& command, const Scene& scene) {
   require_what_is_shown(command, scene);
   RunSeriesOptions options = series_options(command, command, *command.duration, command.points);
   RunDiagramRecord record;
-  record.info = run_info(command.name, command.scene, scene);
+  record.info = info_of_call(command, scene);
   record.parameter = command.parameter;
   record.unit = number_unit(scene, command.parameter);
   record.from = command.from;
@@ -50,7 +50,6 @@ int run_diagram_of_runs(const DiagramCommand& command, const Scene& scene) {
   record.warnings = system_warnings(scene, assemble(scene));
   warn(command, record.warnings);
   prepare_output(command);
-  note_call(command, record.info);
   JournalledWork work(command, command.journal,
                       {record.info, "row", options.values.size(), 1, {}, {}});
   work.set(options);

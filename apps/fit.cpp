@@ -59,7 +59,7 @@ int run(const FitCommand& command) {
   const Scene scene = scene_of(command);
   require_exact(scene);
   FitRecord record;
-  record.info = run_info(command.name, command.scene, scene);
+  record.info = info_of_call(command, scene);
   const std::string text = data_text(command.data);
   record.data_file = command.data;
   record.data_sha256 = sha256(text);

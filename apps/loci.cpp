@@ -107,7 +107,8 @@ int run_loci(const ContinueCommand& command) {
   LociOptions options = loci_options(command, scene);
   if (restart) start_from(*restart, command, options);
   LociRecord record;
-  record.info = run_info(command.name, command.scene, scene);
+  record.info = info_of_call(command, scene);
+  if (restart) note_values(*restart, {command.parameter, command.second}, record.info);
   record.from = command.from;
   record.to = command.to;
   record.second_from = options.second_from;

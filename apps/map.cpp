@@ -84,7 +84,7 @@ int run(const MapCommand& command) {
   AttractorMapOptions options = map_options(command);
   if (is_page_name(command.plot.file)) check_map_page(command.plot.file, options);
   MapRecord record;
-  record.info = run_info(command.name, command.scene, scene);
+  record.info = info_of_call(command, scene);
   record.x_unit = number_unit(scene, options.x.name);
   record.y_unit = number_unit(scene, options.y.name);
   const System system = assemble(scene);
@@ -96,7 +96,6 @@ int run(const MapCommand& command) {
   record.warnings = system_warnings(scene, system);
   warn(command, record.warnings);
   prepare_output(command);
-  note_call(command, record.info);
   const auto cells = static_cast<int>(options.cells());
   JournalledWork work(command, command.journal, {record.info, "cell", options.cells(), 1, {}, {}});
   work.set(options);

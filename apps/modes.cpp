@@ -28,13 +28,12 @@ int run(const ModesCommand& command) {
   check_plot<ModesRecord>(command);
   const Scene scene = scene_of(command);
   ModesRecord record{
-      run_info(command.name, command.scene, scene), mode_table(scene), {}, {}, {}, {"found", ""}};
+      info_of_call(command, scene), mode_table(scene), {}, {}, {}, {"found", ""}};
   if (!command.mac.empty()) {
     record.mac_file = command.mac;
     record.mac = compared(scene, command.mac);
   }
   prepare_output(command);
-  note_call(command, record.info);
   return conclude(command, record, scene, [&] { return mode_shape_files(scene); });
 }
 

@@ -18,8 +18,7 @@ int run(const OrbitCommand& command) {
   require_exact_flow(scene, "orbits are solved for");
   require_forcing_and_stop(scene);
   OrbitRecord record{
-      run_info(command.name, command.scene, scene), assemble(scene), {}, {}, {}, {}, {}};
-  note_call(command, record.info);
+      info_of_call(command, scene), assemble(scene), {}, {}, {}, {}, {}};
   record_search(command, record.info);
   record.warnings = system_warnings(scene, record.system);
   warn(command, record.warnings);

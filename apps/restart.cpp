@@ -75,9 +75,9 @@ double value_in_range(const Restart& restart, const std::string& parameter, doub
   return value;
 }
 
-void note_values(const Restart& restart, const std::string& parameter, RunInfo& info) {
+void note_values(const Restart& restart, const std::vector<std::string>& varied, RunInfo& info) {
   for (const std::string& name : restart.parameters)
-    if (name != parameter)
+    if (std::find(varied.begin(), varied.end(), name) == varied.end())
       info.settings.push_back(fmt::format("{}={}", name, *parameter_value(restart.scene, name)));
 }
 

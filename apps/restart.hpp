@@ -28,8 +28,9 @@ std::optional<Restart> read_restart(const ContinueCommand& command, const Scene&
 // the value lies outside the range asked for.
 double value_in_range(const Restart& restart, const std::string& parameter, double from, double to);
 
-// The values of the special point that the scene is at beside `parameter`, among the settings.
-void note_values(const Restart& restart, const std::string& parameter, RunInfo& info);
+// The values of the special point that the scene is at beside those that `varied` names, among the
+// settings.
+void note_values(const Restart& restart, const std::vector<std::string>& varied, RunInfo& info);
 
 // --restart, --label and --switch among the options of a run, in place of those of a search.
 void record_restart(const ContinueCommand& command, RunInfo& info);

@@ -44,7 +44,7 @@ int run_sensitivity(const CompareCommand& command) {
   SensitivityOptions options = sensitivity_options(command);
   options.series.progress = progress_line(command);
   SensitivityRecord record;
-  record.info = run_info(command.name, command.scene, scene);
+  record.info = info_of_call(command, scene);
   record.parameter = command.parameter;
   record.unit = parameter_unit(scene, command.parameter);
   record.second = command.second;

@@ -75,9 +75,11 @@ Scene scene_of(const SceneOptions& command, const std::vector<std::string>& furt
   return read_scene(command.scene, settings);
 }
 
-void note_call(const SceneOptions& command, RunInfo& info) {
+RunInfo info_of_call(const SceneOptions& command, const Scene& scene) {
+  RunInfo info = run_info(command.name, command.scene, scene);
   info.arguments = command.arguments;
   info.settings = command.settings;
+  return info;
 }
 
 std::atomic<bool> interrupted{false}, has_begun{false};

@@ -29,8 +29,9 @@ extern std::atomic<bool> interrupted;
 // Set once there may be something to keep; before, Ctrl-C ends the program at once.
 extern std::atomic<bool> has_begun;
 
-// How the program was called, for whoever wants the result again.
-void note_call(const SceneOptions& command, RunInfo& info);
+// Of a command on `scene`, the one in force: with how the program was called, for whoever wants the
+// result again; options still empty.
+RunInfo info_of_call(const SceneOptions& command, const Scene& scene);
 
 // Ctrl-C, and --max-seconds from when the command was given.
 StopSignal stop_signal(const CommonOptions& command);

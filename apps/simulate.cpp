@@ -275,7 +275,7 @@ int run(const SimulateCommand& command) {
   const Scene scene = scene_of(command);
   check_shown(command, scene);
   SimulationRecord record;
-  record.info = run_info(command.name, command.scene, scene);
+  record.info = info_of_call(command, scene);
   record.system = assemble(scene);
   record.probes = probe_rows(scene, record.system);
   Plan plan = planned(command, scene, record);
@@ -287,7 +287,6 @@ int run(const SimulateCommand& command) {
         "the run before kept no energy balance; it begins where this one goes on");
 
   prepare_output(command);
-  note_call(command, record.info);
   RunOutput output(command, record.system, record.probes, std::move(plan.section), plan.listened,
                    end_of(plan.options, record.system));
   record.run = run_listened(record.system, plan.start, plan.cut, plan.options, plan.listened.rate,

@@ -62,6 +62,37 @@ TEST_F(PictureOptions, TheTitleIsTheSceneAndWhatWasSet) {
   EXPECT_NE(none.find("body = 1\ncaption = ''"), std::string::npos);
 }
 
+// Whatever command drew it: a setting that a head leaves out makes its title false.
+TEST_F(PictureOptions, EveryPictureTellsWhatWasSet) {
+  const std::string wagg = scene("05_wagg_one_mode.toml"),
+                    data = std::string(GRAZE_SOURCE_DIR) + "/data/measurements/restitution.";
+  const std::string over = " --parameter forcing.frequency --from 30 --to 40 ";
+  const std::string plane =
+      over + "--second stop.gap --second-from 1e-3 --second-to 2e-3 --max-seconds 20 ";
+  for (const std::string& command :
+       {"check " + wagg, "modes " + wagg, "simulate " + wagg + " --periods 3",
+        "orbit " + wagg + " --start closed-form", "continue " + wagg + over,
+        "continue " + wagg +
+            " --parameter forcing.frequency --from 20 --to 120 --second stop.gap --second-from "
+            "5e-4 "
+            "--second-to 0.01 --locus LP --slices 0",
+        "diagram " + scene("17_yigit_lee_wang_1.toml") +
+            " --parameter hub.torque.amplitude --from 0.05 --to 0.4 --points 2 --duration 0.02",
+        "map " + wagg + plane + "--points 2 --second-points 2 --periods 20 --samples 5",
+        "compare " + wagg + " --against beam.modes=2 --duration 1 --last 0.5 --periods 20",
+        "compare " + wagg + plane +
+            "--against stop.restitution=0.5 --points 2 --second-points 2 --periods 5 --first 1",
+        "compare " + scene("20_yigit_sensitivity.toml") +
+            " --sensitivity --parameter stop.spring.damping.coefficient --from 300 --to 800 "
+            "--points 2 --duration 0.02",
+        "fit " + data + "toml " + data + "csv"}) {
+    run_graze(command + " --set title=altered --quiet --plot " + (scratch / "x.svg").string());
+    EXPECT_NE(read_text(scratch / "x.gp").find("caption = 'altered · title=altered'"),
+              std::string::npos)
+        << command;
+  }
+}
+
 TEST_F(PictureOptions, RangesAreThoseAskedFor) {
   const std::string text =
       script("continue " + kOneMode + "--x-range 20:60 --y-range :0.3 --labels none");

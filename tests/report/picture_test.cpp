@@ -150,6 +150,25 @@ SimulationRecord simulated(const System& system, double duration, std::size_t la
 
 System pressed_oscillator() { return support::forced_oscillator(1.0, 0.05, 0.0, 0.5, 0.5, 0.3); }
 
+// A structure rests on a rigid stop for as long as its run says, and never on a spring.
+TEST(StuckPhases, LastAsLongAsTheRunSays) {
+  System rigid = pressed_oscillator(), sprung = pressed_oscillator();
+  for (System* system : {&rigid, &sprung}) system->modal().load = Vector::Constant(1, 1.5);
+  // k x with k = 9: it presses on the spring at the start, at rest and unloaded.
+  sprung.stops[0] = {Vector::Ones(1), 0.0, ContactForce{9.0}};
+  for (const System& system : {rigid, sprung}) {
+    const SimulationRecord record = simulated(system, 60.0, 100'000);
+    double total = 0.0;
+    for (const TimeSpan& phase : stuck_phases(record, 0, {0.0, 60.0}))
+      total += phase.end - phase.start;
+    EXPECT_NEAR(total, record.run.totals.stuck_time, 1e-12 * 60.0);
+    // A later window begins within a contact, or a rest, like this one.
+    const SimulationRecord end = simulated(system, 60.0, 1'000);
+    for (const TimeSpan& phase : stuck_phases(end, 0, {end.samples.front().time, 60.0}))
+      EXPECT_FALSE(system.has_compliant_stop()) << phase.start;
+  }
+}
+
 TEST(MotionSeen, EnergyRisesByTheSumOfTheWorksSinceTheWindowBegan) {
   for (const std::size_t last : {100'000U, 1'000U}) {
     const MotionSeen seen = motion_seen(simulated(pressed_oscillator(), 60.0, last));

@@ -190,6 +190,8 @@ std::vector<SeenProbe> probes_seen(const SamplesSeen& samples,
 std::vector<TimeSpan> stuck_phases(const SimulationRecord& record, int stop,
                                    const TimeSpan& window) {
   std::vector<TimeSpan> phases;
+  // What touches a spring moves on.
+  if (record.system.stops[static_cast<std::size_t>(stop)].is_compliant()) return phases;
   bool closed = begins_stuck(record, stop);
   // While open, the last that was heard of the stop: a release without a stick before it, as where
   // it cuts the tail of a chatter short, ends a phase that began there.

@@ -2,6 +2,7 @@
 #include "graze/report/json/detail/json_document.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <bit>
@@ -128,7 +129,9 @@ Json page_view(const RunInfo& info, const Outcome& outcome,
                const std::vector<std::string>& warnings, const std::vector<std::string>& notes) {
   Json view;
   view["head"] = document_head(info, outcome, warnings);
-  view["subtitle"] = info.scene_title;
+  const std::string set = fmt::format("{}", fmt::join(info.settings, ", "));
+  view["subtitle"] =
+      info.scene_title + (set.empty() || info.scene_title.empty() ? "" : " · ") + set;
   view["notes"] = notes;
   view["looks"] = page_looks();
   std::string made = "graze";
