@@ -15,7 +15,7 @@
 namespace graze {
 namespace {
 
-constexpr int kMostModes = 64;
+constexpr int kMostComparedModes = 64;
 
 void add_what_is_compared(CLI::App* app, CompareCommand& command) {
   begin_group(app, "Comparison");
@@ -32,11 +32,11 @@ void add_what_is_compared(CLI::App* app, CompareCommand& command) {
                                          &command.most_modes, &end) == 2 &&
                              end == static_cast<int>(text.size());
            if (!read || command.fewest_modes < 1 || command.most_modes <= command.fewest_modes ||
-               command.most_modes > kMostModes)
+               command.most_modes > kMostComparedModes)
              throw InputError(
                  fmt::format("--modes: '{}' is not allowed; give the fewest and the most modes, "
                              "like 1:8, at most {}",
-                             text, kMostModes));
+                             text, kMostComparedModes));
          },
          "Convergence: each number of modes compared with the next")
       ->type_name("A:B");

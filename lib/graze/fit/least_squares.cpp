@@ -19,9 +19,9 @@ constexpr double kEps = std::numeric_limits<double>::epsilon();
 // often at most.
 constexpr int kMostSearches = 2;
 
-class Solver : private ceres::CostFunction, private ceres::IterationCallback {
+class BoundedSolver : private ceres::CostFunction, private ceres::IterationCallback {
  public:
-  Solver(const LeastSquaresProblem& problem, const LeastSquaresOptions& options)
+  BoundedSolver(const LeastSquaresProblem& problem, const LeastSquaresOptions& options)
       : problem_(problem),
         options_(options),
         counted_([this](const Vector& p) { return evaluate(p); }) {
@@ -119,7 +119,7 @@ class Solver : private ceres::CostFunction, private ceres::IterationCallback {
 
   // Ceres holds what it minimises to be constant; what is counted and kept on the way is not.
   bool Evaluate(double const* const* at, double* residuals, double** derivative) const override {
-    return const_cast<Solver*>(this)->try_at(
+    return const_cast<BoundedSolver*>(this)->try_at(
         Eigen::Map<const Vector>(at[0], steps_.size()).cwiseProduct(units_), residuals, derivative);
   }
 
@@ -215,7 +215,7 @@ double residual_noise(const LeastSquaresProblem& problem, const Vector& residual
 
 LeastSquaresResult solve_least_squares(const LeastSquaresProblem& problem,
                                        const LeastSquaresOptions& options) {
-  return Solver(problem, options).solve();
+  return BoundedSolver(problem, options).solve();
 }
 
 }  // namespace graze

@@ -13,7 +13,7 @@ namespace {
 constexpr int kMaxSteps = 120;  // per eigenvalue or pair; some 2 are usual
 
 // A matrix times 2^exponent, its largest entry between 1/2 and 1, or zero.
-struct Scaled {
+struct ScaledBlock {
   Eigen::Matrix3d matrix;
   long exponent = 0;
 
@@ -32,8 +32,8 @@ struct Scaled {
 };
 
 // The 3 x 3 diagonal block at `row` of the product of all triangular factors.
-Scaled triangular_block(const std::vector<Matrix>& factors, Eigen::Index row) {
-  Scaled product{factors[1].block<3, 3>(row, row), 0};
+ScaledBlock triangular_block(const std::vector<Matrix>& factors, Eigen::Index row) {
+  ScaledBlock product{factors[1].block<3, 3>(row, row), 0};
   product.normalise();
   for (std::size_t i = 2; i < factors.size(); ++i) {
     product.matrix = (factors[i].block<3, 3>(row, row) * product.matrix).eval();
@@ -195,7 +195,7 @@ bool PeriodicHessenberg::iterate() {
 // M = (Hessenberg) (triangular factors); s1 and s2 are the eigenvalues of its last 2 x 2 block.
 Eigen::Vector3d PeriodicHessenberg::double_shift(Index first, Index last) const {
   const Matrix& h = factors_[0];
-  Scaled head = triangular_block(factors_, first), tail = triangular_block(factors_, last - 2);
+  ScaledBlock head = triangular_block(factors_, first), tail = triangular_block(factors_, last - 2);
   const Eigen::Matrix3d r = head.matrix;
   head.matrix = (h.block<3, 2>(first, first) * head.matrix.topRows<2>()).eval();
   tail.matrix.bottomRows<2>() = (h.block<2, 3>(last - 1, last - 2) * tail.matrix).eval();

@@ -26,10 +26,10 @@ constexpr double kWidest = 20.0, kNarrowest = 0.1;
 // How far clear of the stops the branch starts, and its longest steps.
 constexpr double kClear = 0.05, kLongestStep = 0.5;
 // A map with its derivatives costs as N^3: a branch takes some seconds with this many modes.
-constexpr int kMostModes = 24;
+constexpr int kMostGapModes = 24;
 // The branch alone is wanted, not what happens along it.
 constexpr double kMaxDistance = 0.2;
-constexpr int kMostPoints = 400;
+constexpr int kMostGapPoints = 400;
 
 System rate_of_gaps(const System& system, double length) {
   System rate = system;
@@ -58,7 +58,7 @@ class GapBranch {
     range_.stop = options.stop;
     range_.max_step = kLongestStep;
     range_.max_distance = kMaxDistance;
-    range_.max_points = kMostPoints;
+    range_.max_points = kMostGapPoints;
   }
 
   // Solutions at the system's own gaps.
@@ -156,9 +156,9 @@ FoundOrbits search_orbits(const System& system, const std::optional<State>& star
   FoundOrbits found = find_orbits(system, start, options);
   if (!system.has_compliant_stop() || !options.from_closed_form || options.period != 1)
     return found;
-  if (system.modes() > kMostModes) {
+  if (system.modes() > kMostGapModes) {
     found.notes.push_back(fmt::format(
-        "with more than {} modes no orbits are sought over the gaps of the stops", kMostModes));
+        "with more than {} modes no orbits are sought over the gaps of the stops", kMostGapModes));
     return found;
   }
   SegmentOptions segment;

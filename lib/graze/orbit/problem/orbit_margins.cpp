@@ -29,10 +29,11 @@ State rate_after(const System& system, const ImpactPattern& pattern,
 }
 
 // The flight after an impact, with its approaches to the stops.
-class Flight {
+class MarginFlight {
  public:
-  Flight(const System& system, const ImpactPattern& pattern, const std::vector<ImpactPoint>& points,
-         const OrbitDirection& direction, std::size_t i)
+  MarginFlight(const System& system, const ImpactPattern& pattern,
+               const std::vector<ImpactPoint>& points, const OrbitDirection& direction,
+               std::size_t i)
       : system_(system),
         pattern_(pattern),
         points_(points),
@@ -133,7 +134,7 @@ std::vector<OrbitMargin> approach_margins(const System& system, const ImpactPatt
                                           const OrbitDirection& direction, double level) {
   std::vector<OrbitMargin> margins;
   for (std::size_t i = 0; i < points.size(); ++i)
-    Flight(system, pattern, points, direction, i).add_approaches(level, margins);
+    MarginFlight(system, pattern, points, direction, i).add_approaches(level, margins);
   return margins;
 }
 

@@ -13,9 +13,9 @@ namespace graze {
 namespace {
 
 // Of systems of one shape; others are followed one by one.
-class SideBySide {
+class SettlingMotions {
  public:
-  explicit SideBySide(SettleTasks& tasks) : tasks_(tasks) {}
+  explicit SettlingMotions(SettleTasks& tasks) : tasks_(tasks) {}
 
   void finish() {
     empty_ = (LaneSet{1} << kLanes) - 1;
@@ -177,7 +177,7 @@ class OneTask : public SettleTasks {
 
 }  // namespace
 
-void settle_side_by_side(SettleTasks& tasks) { SideBySide(tasks).finish(); }
+void settle_side_by_side(SettleTasks& tasks) { SettlingMotions(tasks).finish(); }
 
 SettledMotion settle_in_lane(const System& system, const State& start,
                              const SettleOptions& options) {

@@ -13,7 +13,7 @@ namespace graze {
 namespace {
 
 constexpr int kPlaces = 201;  // along the beam
-constexpr std::size_t kMostModes = 6;
+constexpr std::size_t kMostDrawnModes = 6;
 constexpr std::size_t kMostLarge = 8;  // stops with marks of full size
 
 ChartPanel beam_panel(const std::string& structure, const char* name, const char* unit,
@@ -55,7 +55,7 @@ std::string mode_title(std::size_t j, double frequency, Units units) {
 // Over places, or over degrees of freedom in their order.
 void add_shapes(const std::vector<double>& x, const Matrix& rows, const Vector& omega, Units units,
                 bool is_line, ChartPanel& panel) {
-  const auto modes = std::min(static_cast<std::size_t>(rows.cols()), kMostModes);
+  const auto modes = std::min(static_cast<std::size_t>(rows.cols()), kMostDrawnModes);
   for (std::size_t j = 0; j < modes; ++j) {
     const auto mode = static_cast<Eigen::Index>(j);
     const Vector shape = rows.col(mode);
@@ -126,7 +126,7 @@ Chart bars_chart(const MatrixModes& found, const Vector& omega, Units units) {
   static constexpr const char* kNames[] = {"x", "y", "z"};
   const NodePlane plane = plane_of(found);
   Chart chart{"Mode shapes", {}};
-  const auto modes = std::min(static_cast<std::size_t>(omega.size()), kMostModes);
+  const auto modes = std::min(static_cast<std::size_t>(omega.size()), kMostDrawnModes);
   for (std::size_t j = 0; j < modes; ++j) {
     const auto mode = static_cast<Eigen::Index>(j);
     ChartPanel panel{{.name = kNames[plane.across], .unit = unit_in(units, "m")},

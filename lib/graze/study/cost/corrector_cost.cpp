@@ -17,7 +17,7 @@ namespace graze {
 namespace {
 
 constexpr int kMostCorrections = 12;
-constexpr double kRowSeconds = 0.2;
+constexpr double kCorrectorSeconds = 0.2;
 // A solution is known this well, rad: Newton's last steps are rounding.
 constexpr double kLastDigits = 1e-14;
 
@@ -38,7 +38,7 @@ class NewtonCosts {
       if (!(row.residual < last)) return;
       last = row.residual;
       row.error = phase_error(x) / system_.forcing()->frequency;
-      row.seconds = steps == 0 ? 0.0 : least_time([&] { run(start, steps); }, kRowSeconds);
+      row.seconds = steps == 0 ? 0.0 : least_time([&] { run(start, steps); }, kCorrectorSeconds);
       rows.push_back(row);
       if (phase_error(x) < kLastDigits) return;
       x = run(x, 1);
