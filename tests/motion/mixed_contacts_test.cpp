@@ -8,6 +8,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "graze/motion/detail/contact_audit.hpp"
 #include "graze/motion/detail/motion.hpp"
 #include "graze/motion/simulation.hpp"
 #include "support/contact_laws.hpp"
@@ -133,7 +134,7 @@ Stop random_spring(support::Dice& dice, const Vector& row) {
                     : law.damping == ContactDamping::kDepth ? hard * dice.uniform(0.1, 2.0)
                     : law.damping == ContactDamping::kPower
                         ? hard * dice.uniform(0.1, 2.0)
-                        : dice.uniform(0.2, 2.0) * std::sqrt(hard);
+                        : dice.uniform(0.2, 5.0) * std::sqrt(hard);
   law.onset_depth = dice.uniform(0.02, 0.2);
   law.onset_sharpness = dice.uniform(0.5, 2.0);
   if (dice.pick(2) == 0) law.separation = Separation::kAtZeroDepth;
@@ -159,6 +160,13 @@ Case random_case(support::Dice& dice) {
     const Vector row = dice.vector(modes, -1.0, 1.0);
     const double gap = row.dot(made.start.q) + dice.uniform(0.02, 0.4);
     system.stops.push_back(rigid(row, gap, dice.pick(2) == 0 ? 0.0 : dice.uniform(0.3, 0.9)));
+  }
+  // One that parts before the structure is thrown back into it.
+  if (dice.pick(4) == 0) {
+    const Vector row = -system.stops[0].row;
+    const double hard = dice.uniform(5.0, 50.0);
+    system.stops.push_back({row, row.dot(made.start.q) - dice.uniform(0.0, 0.5),
+                            kelvin_voigt(hard, dice.uniform(1.0, 5.0) * std::sqrt(hard))});
   }
   for (int i = 0; i < springs; ++i) {
     const Vector row = dice.pick(2) == 0
@@ -244,7 +252,61 @@ TEST(MixedContacts, FollowEachOtherAsInAnIndependentIntegration) {
                       << described(drawn);
   }
   EXPECT_GT(compared, 2 * cases);
-  for (const int times : coverage) EXPECT_GT(times, cases / 100);
+  for (const int times : coverage) EXPECT_GT(times, cases / 300);
+}
+
+// A stop that is said to be away, and not looked at, is passed: the motion ends with a sentence.
+TEST(Audit, EndsAMotionThatPassesAStop) {
+  System system = support::oscillator(1.0, 0.0, 0.25, 0.5);
+  MotionState<double> state{{}, Vector::Zero(1), Vector::Ones(1), {Contact::kParted}, {0}};
+  Motion<double> motion(system, state);
+  const Arrival<double> arrival = motion.fly(1.0);
+  EXPECT_EQ(arrival.kind, ArrivalKind::kRefused);
+  EXPECT_EQ(arrival.stop, 0);
+  EXPECT_EQ(motion.refusal(),
+            "its gap became -0.591 m without a contact; this is an error of the program, please "
+            "report it");
+  EXPECT_EQ(motion.fly(2.0).kind, ArrivalKind::kRefused);
+}
+
+// Where it began beyond the stop nothing was passed.
+TEST(Audit, LeavesAMotionThatBeganBeyondAStop) {
+  System system = support::oscillator(1.0, 0.0, 0.25, 0.5);
+  MotionState<double> state{{}, Vector::Constant(1, 0.5), Vector::Ones(1), {Contact::kParted}, {0}};
+  EXPECT_EQ(Motion<double>(system, state).fly(0.3).kind, ArrivalKind::kTime);
+}
+
+// A stop is said to hold the structure, and pulls at it with cos(t + 3.3), less and less: no
+// release ends that. It is seen where something happens, here at a spring that is met.
+TEST(Audit, EndsAMotionInWhichAContactPulls) {
+  System system{Vector{{0.0, 1.0}}, NaturalModes{Vector::Zero(2)}, {}};
+  system.modal().forcing = HarmonicForcing{1.0, 3.3, Vector{{1.0, 0.0}}};
+  system.stops.push_back(rigid(Vector{{1.0, 0.0}}, 0.0, 0.0));
+  system.stops.push_back({Vector{{0.0, 1.0}}, 0.05, ContactForce{10.0, 1.0}});
+  MotionState<double> state{
+      {}, Vector::Zero(2), Vector{{0.0, 1.0}}, {Contact::kClosed, Contact::kClear}, {0, 0}};
+  Motion<double> motion(system, state);
+  Arrival<double> arrival = motion.fly(0.1);
+  EXPECT_EQ(arrival.kind, ArrivalKind::kTouch);
+  for (int i = 0; i < 4 && !arrival.fails(); ++i) arrival = motion.fly(0.1);
+  EXPECT_EQ(arrival.kind, ArrivalKind::kRefused);
+  EXPECT_EQ(motion.refusal(),
+            "its contact force is -0.978 N; this is an error of the program, please report it");
+}
+
+TEST(Audit, TellsEnergyFromItsRounding) {
+  const double eps = std::numeric_limits<double>::epsilon();
+  EXPECT_FALSE(adds_energy<double>(1.0, 1.0 + 4.0 * eps, 1.0, 1));
+  EXPECT_FALSE(adds_energy<double>(1.0, 0.5, 1.0, 1));
+  EXPECT_TRUE(adds_energy<double>(1.0, 1.0 + 1e-13, 1.0, 1));
+  // Impulses that cancel are rounded each.
+  EXPECT_FALSE(adds_energy<double>(1.0, 1.0 + 1e-13, 100.0, 1));
+}
+
+TEST(Audit, TellsAPassedStopFromRounding) {
+  EXPECT_TRUE(passes<double>(0.0, -1e-9, 1e-12));
+  EXPECT_FALSE(passes<double>(0.0, -1e-12, 1e-12));
+  EXPECT_FALSE(passes<double>(-1e-9, -2e-9, 1e-12));
 }
 
 }  // namespace

@@ -182,7 +182,7 @@ class ContactReference {
     double quickest = system_.omega.maxCoeff();
     if (system_.forcing()) quickest = std::fmax(quickest, system_.forcing()->frequency);
     for (int i = 0; i < stops(); ++i)
-      if (springs_[at(i)] == kLoaded) {
+      if (springs_[at(i)] != kOpen) {
         const ContactForce& law = stop(i).force();
         const double mobility = stop(i).row.squaredNorm();
         quickest += std::sqrt(law.exponent * law.stiffness * mobility) + law.coefficient * mobility;

@@ -26,8 +26,9 @@ struct EnergyBalance {
   double size() const {
     return std::fmax(
         std::fmax(std::fmax(start, now), std::fmax(std::abs(work.forcing), std::abs(work.load))),
-        std::fmax(std::fmax(std::abs(work.constraint), std::abs(impacts)),
-                  std::fmax(std::abs(work.contact), work.dissipation)));
+        std::fmax(
+            std::fmax(std::abs(work.constraint), std::abs(impacts)),
+            std::fmax(std::fmax(std::abs(work.contact), work.contact_lost), work.dissipation)));
   }
 };
 

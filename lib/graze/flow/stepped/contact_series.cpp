@@ -52,7 +52,9 @@ std::size_t loaded_spring(const SprungSystem& system) {
 bool ContactSeries::suits(const SprungSystem& system) {
   if (system.turning || system.powers || system.load.size() == 0) return false;
   if (std::count_if(system.springs.begin(), system.springs.end(), is_loaded) != 1) return false;
-  const ContactForce& law = system.springs[loaded_spring(system)].law;
+  const SprungSystem::Spring& spring = system.springs[loaded_spring(system)];
+  if (!(spring.row.dot(spring.acting) > 0.0)) return false;  // its depth is held
+  const ContactForce& law = spring.law;
   const double power = 2.0 * law.exponent;
   return power == std::floor(power) && power <= kMostPower && law.damping != ContactDamping::kOnset;
 }

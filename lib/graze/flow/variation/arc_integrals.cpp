@@ -41,11 +41,11 @@ std::optional<Signal> free_signal(const Arc<double>& arc, const Observable<doubl
   return signal;
 }
 
-// Whether two of its terms nearly are one: near critical damping rates and sizes, opposite ones, are
-// told apart by a small difference d, and the integral of the square cancels by d^2. So d may cost
-// half of the bits that are given for it.
+// Whether two of its terms nearly are one: near critical damping rates and sizes, opposite ones,
+// are told apart by a small difference d, and the integral of the square cancels by d^2, of which
+// four bits are given.
 bool nearly_cancels(const Signal& signal) {
-  const double apart = 1.0 / std::sqrt(kLargestLoss);
+  constexpr double apart = 0.25;
   const auto is_near = [&](const SignalTerm& a, Complex size, Complex rate) {
     return std::abs(a.rate - rate) < apart * std::abs(rate) &&
            std::abs(a.size + size) < apart * std::abs(size);

@@ -173,7 +173,9 @@ void add_linear_springs(const ExactPhase<double>& phase, double s, Work& work) {
     if (law.damping == ContactDamping::kNone) continue;
     const Observable<double> rate{
         0.0, Vector::Zero(depth.displacement.size()), depth.displacement, {}};
-    work.contact -= law.coefficient * square_along(phase, rate, s);
+    const double lost = law.coefficient * square_along(phase, rate, s);
+    work.contact -= lost;
+    work.contact_lost += lost;
   }
 }
 
@@ -213,7 +215,10 @@ Work work_on_springs(const System& system, const ContactPhase<double>& phase, do
   work.forcing = works.forcing;
   work.constraint = works.constraint;
   work.dissipation = works.dissipation;
-  for (const SpringWork& spring : works.springs) work.contact -= spring.lost + spring.stored;
+  for (const SpringWork& spring : works.springs) {
+    work.contact -= spring.lost + spring.stored;
+    work.contact_lost += spring.lost;
+  }
   return work;
 }
 

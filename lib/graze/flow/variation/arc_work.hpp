@@ -23,6 +23,9 @@ struct Work {
   double constraint = 0.0;   // of the closed stops; zero but for an oblique law, J
   double dissipation = 0.0;  // taken by damping, J, >= 0
   double contact = 0.0;      // of compliant stops, J: minus what they took, kept there or lost
+  // Of that what their damping took, J, >= 0: it may be much more than all that the structure had,
+  // where it came from springs that were compressed at the start.
+  double contact_lost = 0.0;
 };
 
 // From the start of the phase's arc over s seconds.

@@ -1,40 +1,22 @@
-// Definitions of motion.hpp: what no motion does whose stops are passive, looked at along every
-// motion. A comparison an event, of numbers that are at hand; what fails it is looked at closely,
-// against the roundings of what was compared. It ends the motion: a program that is right never
-// fails here, one that is wrong is told apart from a motion that is surprising.
-//
-//   an open stop is not passed:     gap >= 0 at the end of a flight that began with gap >= 0;
-//   a contact does not pull:        force >= 0 after an event, but of springs let go at the
-//   surface; an impact does not add energy:  q'+.M q'+ <= q'-.M q'-  where one coefficient 0 <= r
-//   <= 1 and
-//                                   the momentum law hold at all stops that are hit.
+// Definitions of motion.hpp: what the audit (contact_audit.hpp) looks at.
 #pragma once
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/base/units.hpp"
+#include "graze/motion/detail/contact_audit.hpp"
 #include "graze/motion/detail/motion.hpp"
 #include "graze/system/detail/gap_value.hpp"
 
 namespace graze {
-namespace audit_detail {
-
-// Roundings in the motion's own numbers count so often in what it is formed from: a motion is
-// written about a forced response that is up to 2^12 times as large (exact_flow_impl.hpp).
-inline constexpr double kAmplification = 0x1p12;
-
-// Of twice the kinetic energy of n modes that impulses of this size in all change, in eps |q'|^2:
-// two sums of squares, n + 1 each; the speeds that the impulses go by, n + 2 with the factor 2 of a
-// square; ten for the impulses' own products.
-inline double energy_roundings(Eigen::Index n) { return 4.0 * static_cast<double>(n) + 16.0; }
-
-}  // namespace audit_detail
-
 template <class Real>
 void Motion<Real>::fail_audit(int i, std::string what) {
   refusal_ = std::move(what) + "; this is an error of the program, please report it";
@@ -47,7 +29,7 @@ Real Motion<Real>::passing_rounding(int i, const MotionState<Real>& at) const {
   const MetStop& s = stop(i);
   const Real eps = std::numeric_limits<Real>::epsilon();
   const Real moved = eps * at.instant.local * s.row.cwiseAbs().dot(at.qdot.cwiseAbs());
-  return audit_detail::kAmplification * (gap_value(s.row, at.q, s.gap).rounding + moved);
+  return kAuditAmplification * (gap_value(s.row, at.q, s.gap).rounding + moved);
 }
 
 // After a flight, before anything is decided at its end. Steps that the scene asks for look at the
@@ -57,14 +39,14 @@ void Motion<Real>::audit_gaps() {
   if (steps_) return;
   for (const int i : looked_at_) {
     const Contact now = contact(i);
-    if (is_held(i) || (stop(i).is_compliant() &&
-                       (now == Contact::kCompressed || now == Contact::kParted)))
+    if (is_held(i) ||
+        (stop(i).is_compliant() && (now == Contact::kCompressed || now == Contact::kParted)))
       continue;
     const Real gap = this->gap(i);
     if (!(gap < 0)) continue;
     const Real rounding = passing_rounding(i, now_) + passing_rounding(i, departure_);
     const Real before = stop(i).gap - stop(i).row.dot(departure_.q);
-    if (gap < -rounding && !(before < -rounding)) {
+    if (passes(before, gap, rounding)) {
       return fail_audit(i, fmt::format("its gap became {:.3g}{} without a contact",
                                        static_cast<double>(gap), unit_behind(system_.units, "m")));
     }
@@ -75,8 +57,7 @@ void Motion<Real>::audit_gaps() {
 template <class Real>
 void Motion<Real>::audit_forces() {
   using std::abs;
-  constexpr double kRoundings =
-      audit_detail::kAmplification * std::numeric_limits<double>::epsilon();
+  constexpr double kRoundings = kAuditAmplification * std::numeric_limits<double>::epsilon();
   for (const int i : compliant_) {
     if (contact(i) != Contact::kCompressed || !stop(i).force().parts_early()) continue;
     const double x = static_cast<double>(depth(i)), v = static_cast<double>(approach_speed(i));
@@ -111,7 +92,7 @@ bool Motion<Real>::pulls(const std::vector<int>& held) const {
   for (Eigen::Index a = 0; a < k; ++a) {
     const RealVector<Real>& row = stop(held[static_cast<std::size_t>(a)]).row;
     push[a] = row.dot(acceleration);
-    rounding[a] = audit_detail::kAmplification * std::numeric_limits<Real>::epsilon() * located *
+    rounding[a] = kAuditAmplification * std::numeric_limits<Real>::epsilon() * located *
                   row.cwiseAbs().dot(size);
   }
   const Matrix_ sharing = PivotedLu<Real>(pressing(held)).inverse();
@@ -147,9 +128,7 @@ void Motion<Real>::audit_impact(const Real& before) {
     if (restitution && r != *restitution) return;
     restitution = r;
   }
-  const Real rounding = audit_detail::energy_roundings(now_.q.size()) *
-                        std::numeric_limits<Real>::epsilon() * size * size;
-  if (after - before > rounding && !shares_.empty())
+  if (adds_energy(before, after, size, now_.q.size()))
     fail_audit(shares_.front().stop, fmt::format("an impact added {:.3g}{} of kinetic energy",
                                                  static_cast<double>((after - before) / 2),
                                                  unit_behind(system_.units, "J")));

@@ -41,6 +41,7 @@ void write_balance(StateLines& lines, const EnergyBalance& balance) {
   lines.number("impacts", balance.impacts);
   lines.number("dissipation", balance.work.dissipation);
   lines.number("contact", balance.work.contact);
+  lines.number("contact_lost", balance.work.contact_lost);
 }
 
 std::vector<RunState::Streak> read_streaks(const Node& node, const System& system) {
@@ -119,14 +120,15 @@ RunTotals read_totals(const Node& node) {
 }
 
 EnergyBalance read_balance(const Node& node) {
-  const StateTable table(
-      node, "energy",
-      {"start", "forcing", "load", "constraint", "impacts", "dissipation", "contact"});
+  const StateTable table(node, "energy",
+                         {"start", "forcing", "load", "constraint", "impacts", "dissipation",
+                          "contact", "contact_lost"});
   EnergyBalance balance;
   balance.start = table.size("start");
   balance.work = {table.number("forcing"), table.number("load"), table.number("constraint"),
-                  table.number("dissipation"), 0.0};
+                  table.number("dissipation")};
   if (table.find("contact")) balance.work.contact = table.number("contact");
+  if (table.find("contact_lost")) balance.work.contact_lost = table.number("contact_lost");
   balance.impacts = table.number("impacts");
   return balance;
 }

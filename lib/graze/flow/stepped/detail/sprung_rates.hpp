@@ -73,9 +73,11 @@ class Sprung {
   // of its quickest oscillation: between its ends a gap has hardly more than one minimum, which is
   // looked for.
   double longest_step() const { return longest_step_; }
-  // A step to begin with, s: a part of the contact that its error can be told on.
+  // A step to begin with, s: a part of the contact that its error can be told on; of what moves
+  // beside springs whose depths are held, where there is none.
   double first_step(double longest) const {
-    return contact_frequency_ > 0.0 ? std::fmin(longest, 0.1 / contact_frequency_) : longest;
+    const double pace = contact_frequency_ > 0.0 ? contact_frequency_ : quickest();
+    return pace > 0.0 ? std::fmin(longest, 0.1 / pace) : longest;
   }
 
   // The quickest oscillation of the structure, the contact or the force, rad/s; 0 where the steps
