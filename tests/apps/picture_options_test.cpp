@@ -292,6 +292,47 @@ TEST_F(PictureOptions, ShapesStandAtTheTimesAskedForWithinTheRun) {
   EXPECT_NE(refusal(command + "0.6").find("beyond the end of the run"), std::string::npos);
 }
 
+// Without damping every contact on a spring of stiffness k at the rest position of an oscillator of
+// mass 1 and frequency w is half a period of one of frequency sqrt(w^2 + k): from the speed w it
+// rises to k w / sqrt(w^2 + k).
+TEST_F(PictureOptions, ForcesOfCompliantStopsAreDrawnThemselves) {
+  const std::string command = "simulate " + scene("12_spring_dashpot_oscillator.toml") +
+                              " --set forcing.amplitude=0 --set modal.damping_ratios=[0] --set "
+                              "'stop.spring={stiffness=400.0, exponent=1.0}' --duration 40 "
+                              "--record none --show forces";
+  script(command);
+  const double k = 400.0, peak = k / std::sqrt(1.0 + k), pi = std::numbers::pi;
+  const std::vector<std::pair<double, double>> forces = data("row1_1_series1");
+  int peaks = 0;
+  for (const auto& [time, force] : forces) {
+    EXPECT_LE(force, peak * (1.0 + 1e-8)) << time;
+    EXPECT_GE(force, 0.0) << time;
+    if (force > peak * (1.0 - 1e-8)) ++peaks;
+  }
+  // Half a period of the free motion, then half of the contact's.
+  const double span = forces.back().first - forces.front().first;
+  EXPECT_EQ(peaks, static_cast<int>(span / (pi + pi / std::sqrt(1.0 + k))));
+  script(command + " --forces 100");
+  EXPECT_EQ(data("row1_1_series1").size(), 200U);
+}
+
+// Windows that do not fit the period would let the means of what repeats beat.
+TEST_F(PictureOptions, MeansOfForcesRepeatWithTheForcing) {
+  // Settled on one impact a period.
+  script("simulate " + scene("05_wagg_one_mode.toml") +
+         " --set forcing.frequency=40 --duration 31 --amplitudes-from 30 --record none --show "
+         "forces");
+  const std::vector<std::pair<double, double>> means = data("row1_1_series1");
+  const double length =
+      2.0 * (means.back().first - means.front().first) / static_cast<double>(means.size());
+  const double each = 2.0 * std::numbers::pi / 40.0 / length;
+  EXPECT_NEAR(each, std::round(each), 1e-4);  // times are written with nine digits
+  const auto stride = static_cast<std::size_t>(2 * std::lround(each));
+  ASSERT_GT(means.size(), 4 * stride);
+  for (std::size_t i = stride; i < means.size(); ++i)
+    EXPECT_NEAR(means[i].second, means[i - stride].second, 1e-6) << means[i].first;
+}
+
 TEST_F(PictureOptions, ForcesOfManyStopsAreRowsInOneScale) {
   // Five stops of one oscillator at different gaps: the nearest takes all impacts.
   std::string command =
