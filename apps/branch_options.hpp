@@ -2,6 +2,7 @@
 #pragma once
 
 #include "command.hpp"
+#include "graze/bifurcation/trace/detail/shown_branches.hpp"
 #include "graze/bifurcation/trace/orbit_branches.hpp"
 #include "graze/record/file/run_info.hpp"
 
@@ -13,6 +14,8 @@ BranchOptions branch_options(const BranchingOptions& command);
 // What a picture shows in place of impact speeds; throws InputError where there is no such place.
 std::optional<Shown> shown_of(std::optional<ShownQuantity> quantity, const std::string& at,
                               const std::vector<MeasuredPlace>& places);
+// That number of an orbit in the family, which has to outlive it; empty where none is shown.
+ShownNumber number_of(const std::optional<Shown>& shown, const SystemFamily& family);
 void note_shown(const BranchingOptions& command, RunInfo& info);
 // Whether and how far other branches are switched to.
 void note_following(const BranchingOptions& command, RunInfo& info);

@@ -9,6 +9,7 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/bifurcation/loci/detail/restart.hpp"
+#include "graze/orbit/orbit_amplitudes.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/parameter.hpp"
@@ -72,6 +73,18 @@ std::optional<Shown> shown_of(std::optional<ShownQuantity> quantity, const std::
     known += (known.empty() ? "" : ", ") + name;
   }
   throw InputError(fmt::format("--at: '{}' is not allowed; give one of {}", at, known));
+}
+
+ShownNumber number_of(const std::optional<Shown>& shown, const SystemFamily& family) {
+  if (!shown) return {};
+  return [shown, &family](double value, const Orbit& orbit) -> std::optional<double> {
+    const std::optional<Scene> scene = family.scene_at(value);
+    if (!scene) return {};
+    const System system = assemble(*scene);
+    const std::vector<MeasuredPlace> place = {measured_places(*scene, system)[shown->place]};
+    return shown_value({shown->quantity, 0}, place,
+                       orbit_amplitudes(system, orbit, rows_of(place)));
+  };
 }
 
 void note_shown(const BranchingOptions& command, RunInfo& info) {
@@ -151,7 +164,7 @@ int run(const ContinueCommand& command) {
   record.warnings = system_warnings(scene, record.system);
   warn(command, record.warnings);
   prepare_output(command);
-  record.traced = trace_orbits(family, options);
+  record.traced = trace_orbits(family, options, number_of(record.shown, family));
   options.progress = nullptr;
   if (command.measures())
     record.amplitudes = measure_branches(family, record.traced, command.threads, options.stop);

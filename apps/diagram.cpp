@@ -62,7 +62,7 @@ std::optional<Outcome> add_branches(const DiagramCommand& command, const SystemF
   OrbitBranches& traced = record.branches.traced;
   traced.parameter = command.parameter;
   if (!command.branches) return {};
-  traced = trace_orbits(family, options);
+  traced = trace_orbits(family, options, number_of(record.branches.shown, family));
   if (command.measures())
     record.branches.amplitudes = measure_branches(family, traced, command.threads, options.stop);
   const Outcome outcome = branch_outcome(traced, options);

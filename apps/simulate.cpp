@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "graze/assembly/assembly.hpp"
@@ -25,7 +26,7 @@ namespace {
 
 constexpr double kSamplesPerPeriod = 100.0;
 constexpr double kPictureSamplesPerPeriod = 400.0;
-constexpr int kPictureWindows = 400;  // of forces, over the whole run
+constexpr int kPictureWindows = 400;  // of forces, over the whole run, about
 
 SimulationOptions simulation_options(const SimulateCommand& command, const Scene& scene) {
   SimulationOptions options;
@@ -94,23 +95,39 @@ void add_shapes(std::vector<double> times, const State& start, SimulationOptions
   }
 }
 
+// As many in every forcing period, so that means of what repeats repeat too. What is left of the
+// span behind the last is less than a window.
+ForceWindows fitted_windows(double span, double period) {
+  const double length = span / kPictureWindows;
+  if (!std::isfinite(period)) return {length, kPictureWindows};
+  const double each = std::fmax(1.0, std::round(period / length));
+  // Roundings of the quotient that are not to cost the last window.
+  const double count = span * each / period * (1.0 + 4.0 * std::numeric_limits<double>::epsilon());
+  return count < 1.0 ? ForceWindows{span, 1}
+                     : ForceWindows{period / each, static_cast<int>(std::floor(count))};
+}
+
 // What of the run is measured, if anything: at the record's places, and the forces over time.
 std::optional<MeasureOptions> measure_options(const SimulateCommand& command,
                                               const SimulationRecord& record, double begin,
                                               double end) {
-  std::optional<int> windows = command.force_windows;
-  if (!windows && command.show == RunPicture::kForces) windows = kPictureWindows;
-  if (!command.amplitudes && !windows) {
+  // A rigid stop that is hit has no force that could be shown as it is.
+  const bool shows_means = command.show == RunPicture::kForces && record.system.has_rigid_stop();
+  const bool keeps_forces = command.force_windows || shows_means;
+  if (!command.amplitudes && !keeps_forces) {
     if (command.amplitudes_from)
       throw InputError("--amplitudes-from: it needs --amplitudes or --forces");
     return {};
   }
   MeasureOptions measure{rows_of(record.places),
                          std::fmax(command.amplitudes_from.value_or(0.0), begin)};
-  if (!windows) return measure;
+  if (!keeps_forces) return measure;
   if (!(end > measure.from))
     throw InputError("--forces: nothing of the run is left to be measured, it must end later");
-  measure.windows = ForceWindows{(end - measure.from) / *windows, *windows};
+  measure.windows =
+      command.force_windows
+          ? ForceWindows{(end - measure.from) / *command.force_windows, *command.force_windows}
+          : fitted_windows(end - measure.from, record.system.period());
   return measure;
 }
 
@@ -186,8 +203,7 @@ void note_options(const SimulateCommand& command, const SimulationOptions& optio
   if (command.record == "samples") info.options.emplace_back("sample_rate", rate);
   info.options.emplace_back("energy", command.keeps_balance());
   if (options.measure) info.options.emplace_back("amplitudes_from", options.measure->from);
-  if (options.measure && options.measure->windows)
-    info.options.emplace_back("forces", options.measure->windows->count);
+  if (command.force_windows) info.options.emplace_back("forces", *command.force_windows);
   if (command.section) info.options.emplace_back("section", name_of(*command.section));
   if (command.transient) info.options.emplace_back("transient", *command.transient);
   info.options.emplace_back("closure_speed", *options.closure_speed);

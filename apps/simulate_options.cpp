@@ -56,8 +56,7 @@ void add_measurement(CLI::App* app, SimulateCommand& command) {
       ->type_name("S");
   app->add_option("--forces", command.force_windows,
                   "Keep the force of every stop over time, of impacts and while it holds, as means "
-                  "over N equal windows of the run; --out writes them (default with --show forces: "
-                  "400)")
+                  "over N equal windows of the run; --out writes them, --show forces draws them")
       ->transform(whole_number("a whole number from 1 to 100000", 1.0, 1e5))
       ->type_name("N");
 }

@@ -10,6 +10,7 @@
 
 #include "branch_options.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/report/chart/charts.hpp"
 #include "graze/report/names/detail/comparison_names.hpp"
 #include "graze/report/names/detail/map_names.hpp"
 #include "graze/report/page/detail/page.hpp"
@@ -88,9 +89,12 @@ void show(const ViewCommand& command, SimulationRecord& record) {
   if (shown == RunPicture::kShapes && record.shapes.empty())
     refuse_to_show(command,
                    "kept no shapes; run it again with --show shapes, --shapes-at and --plot");
-  if (shown == RunPicture::kForces && !(record.run.amplitudes && record.run.amplitudes->forces))
+  const bool has_means = record.run.amplitudes && record.run.amplitudes->forces;
+  if (shown == RunPicture::kForces && record.system.stops.empty())
+    refuse_to_show(command, "has no stops");
+  if (shown == RunPicture::kForces && record.system.has_rigid_stop() && !has_means)
     refuse_to_show(command, "kept no forces; run it again with --forces N");
-  if (shown == RunPicture::kMotion) keep_end(record);
+  if (shown == RunPicture::kMotion || shown == RunPicture::kForces) keep_end(record);
   record.shown = shown;
 }
 
@@ -138,6 +142,8 @@ void check_drawable(const ViewCommand& command, const Record& record) {
 void check_drawable(const ViewCommand& command, const SimulationRecord& record) {
   check_plot_of_run(command, record.section.has_value(), record.shown);
   const bool of_motion = record.shown == RunPicture::kSpectrum ||
+                         (record.shown == RunPicture::kForces &&
+                          record.system.has_compliant_stop() && !shows_force_means(record)) ||
                          (record.shown == RunPicture::kMotion && !record.section);
   if (of_motion && record.samples.empty())
     throw InputError("--plot: the run ended before the motion that a picture shows");

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <numbers>
 #include <regex>
@@ -116,6 +118,45 @@ TEST_F(PictureOptions, DecibelsAndLogarithmsAreOfTheAmplitude) {
   EXPECT_NE(text.find("set logscale y"), std::string::npos);
   EXPECT_NE(text.find("set logscale x"), std::string::npos);
   EXPECT_NE(refusal(command + "--x-scale dB").find("dB"), std::string::npos);
+}
+
+// Two modes of 1 and 2 rad/s that act on the stop alike cancel near sqrt(2.5) rad/s, in an
+// antiresonance that the steps along the branch, by its unknowns, do not see. The amplitude is
+// A |sum 1 / (w_j^2 - w^2 + 2 i z w_j w)|.
+TEST_F(PictureOptions, AResponseIsRightToAPixelAtItsAntiresonance) {
+  std::ofstream(scratch / "two.toml")
+      << "[modal]\nfrequencies = [1.0, 2.0]\ndamping_ratios = [0.01, 0.01]\nparticipation = [1.0, "
+         "1.0]\n[forcing]\nkind = \"modal\"\namplitude = 0.01\nfrequency = 1.5\n[[stop]]\nshape = "
+         "[1.0, 1.0]\ngap = 1000.0\nside = \"above\"\nrestitution = 0.8\n";
+  const auto closed_form = [](double w) {
+    std::complex<double> sum = 0.0;
+    for (const double own : {1.0, 2.0})
+      sum += 1.0 / std::complex<double>(own * own - w * w, 0.02 * own * w);
+    return 0.01 * std::abs(sum);
+  };
+  script("continue " + (scratch / "two.toml").string() +
+         " --parameter forcing.frequency --from 0.5 --to 2.5 --impacts 0 --show amplitude");
+  const std::vector<std::pair<double, double>> curve = data("stable");
+  double largest = 0.0, least = 1.0, exact = 1.0;
+  for (const auto& [w, height] : curve) {
+    // Of nine digits of w, where the resonance rises by 20 m a rad/s.
+    EXPECT_NEAR(height, closed_form(w), 1.2e-7) << w;
+    largest = std::max(largest, height);
+    least = std::min(least, height);
+  }
+  // The axes are some thousand pixels long; where the curve is steep its distance counts.
+  const double across = 2.0 / 1000.0, up = largest / 1000.0;
+  for (std::size_t i = 0; i + 1 < curve.size(); ++i)
+    for (const double part : {0.25, 0.5, 0.75}) {
+      const double dw = curve[i + 1].first - curve[i].first,
+                   dy = curve[i + 1].second - curve[i].second;
+      const double w = curve[i].first + part * dw;
+      exact = std::min(exact, closed_form(w));
+      const double off = curve[i].second + part * dy - closed_form(w);
+      EXPECT_LT(std::abs(off) / up / std::hypot(1.0, dy / up / (dw / across)), 1.0) << w;
+    }
+  EXPECT_LT(least, 1.01 * exact);
+  EXPECT_GT(largest, 0.99 * closed_form(std::sqrt(1.0 - 2.0 * 1e-4)));
 }
 
 // Letters of a label are measured to be .167 cm wide at most, in a panel of 9.36 cm.
@@ -249,6 +290,47 @@ TEST_F(PictureOptions, ShapesStandAtTheTimesAskedForWithinTheRun) {
     EXPECT_GE(data(series).back().second, -1.05 - 1e-9);
   }
   EXPECT_NE(refusal(command + "0.6").find("beyond the end of the run"), std::string::npos);
+}
+
+// Without damping every contact on a spring of stiffness k at the rest position of an oscillator of
+// mass 1 and frequency w is half a period of one of frequency sqrt(w^2 + k): from the speed w it
+// rises to k w / sqrt(w^2 + k).
+TEST_F(PictureOptions, ForcesOfCompliantStopsAreDrawnThemselves) {
+  const std::string command = "simulate " + scene("12_spring_dashpot_oscillator.toml") +
+                              " --set forcing.amplitude=0 --set modal.damping_ratios=[0] --set "
+                              "'stop.spring={stiffness=400.0, exponent=1.0}' --duration 40 "
+                              "--record none --show forces";
+  script(command);
+  const double k = 400.0, peak = k / std::sqrt(1.0 + k), pi = std::numbers::pi;
+  const std::vector<std::pair<double, double>> forces = data("row1_1_series1");
+  int peaks = 0;
+  for (const auto& [time, force] : forces) {
+    EXPECT_LE(force, peak * (1.0 + 1e-8)) << time;
+    EXPECT_GE(force, 0.0) << time;
+    if (force > peak * (1.0 - 1e-8)) ++peaks;
+  }
+  // Half a period of the free motion, then half of the contact's.
+  const double span = forces.back().first - forces.front().first;
+  EXPECT_EQ(peaks, static_cast<int>(span / (pi + pi / std::sqrt(1.0 + k))));
+  script(command + " --forces 100");
+  EXPECT_EQ(data("row1_1_series1").size(), 200U);
+}
+
+// Windows that do not fit the period would let the means of what repeats beat.
+TEST_F(PictureOptions, MeansOfForcesRepeatWithTheForcing) {
+  // Settled on one impact a period.
+  script("simulate " + scene("05_wagg_one_mode.toml") +
+         " --set forcing.frequency=40 --duration 31 --amplitudes-from 30 --record none --show "
+         "forces");
+  const std::vector<std::pair<double, double>> means = data("row1_1_series1");
+  const double length =
+      2.0 * (means.back().first - means.front().first) / static_cast<double>(means.size());
+  const double each = 2.0 * std::numbers::pi / 40.0 / length;
+  EXPECT_NEAR(each, std::round(each), 1e-4);  // times are written with nine digits
+  const auto stride = static_cast<std::size_t>(2 * std::lround(each));
+  ASSERT_GT(means.size(), 4 * stride);
+  for (std::size_t i = stride; i < means.size(); ++i)
+    EXPECT_NEAR(means[i].second, means[i - stride].second, 1e-6) << means[i].first;
 }
 
 TEST_F(PictureOptions, ForcesOfManyStopsAreRowsInOneScale) {

@@ -8,6 +8,7 @@
 #include "graze/bifurcation/problem/detail/special_names.hpp"
 #include "graze/bifurcation/problem/grazing_orbit.hpp"
 #include "graze/bifurcation/trace/detail/orbit_kinds.hpp"
+#include "graze/bifurcation/trace/detail/shown_curve.hpp"
 #include "graze/continuation/switching.hpp"
 #include "graze/orbit/problem/detail/followed_orbit.hpp"
 
@@ -47,9 +48,10 @@ bool crosses(SpecialKind kind) {
 }  // namespace
 
 BranchCollector::BranchCollector(const SystemFamily& family, const BranchOptions& options,
-                                 OrbitBranches& result)
+                                 const ShownNumber& shown, OrbitBranches& result)
     : family_(family),
       options_(options),
+      shown_(shown),
       result_(result),
       continuation_(range_of(options)),
       problems_(family.scene(), {family.parameter()},
@@ -209,7 +211,10 @@ std::vector<BranchPiece> BranchCollector::trace(LaidOrbits& orbits, const Soluti
   const Clearer clearer = [this](const LaidOrbits& known, const SolutionPoint& solution) {
     return problems_.clearer(known, solution);
   };
-  return trace_pieces(clearer, orbits, continuation_, start, directions);
+  std::vector<BranchPiece> pieces = trace_pieces(clearer, orbits, continuation_, start, directions);
+  for (BranchPiece& piece : pieces)
+    if (shown_) resolve_shown(*piece.orbits, continuation_, shown_, piece.branch);
+  return pieces;
 }
 
 void BranchCollector::add(std::vector<BranchPiece> pieces, Origin origin) {

@@ -10,6 +10,7 @@
 #include "graze/bifurcation/bounds/detail/closed_form_survey.hpp"
 #include "graze/bifurcation/bounds/detail/speed_survey.hpp"
 #include "graze/bifurcation/trace/detail/branch_collector.hpp"
+#include "graze/bifurcation/trace/detail/shown_branches.hpp"
 #include "graze/motion/simulation.hpp"
 #include "graze/orbit/closed_form/closed_form.hpp"
 #include "graze/orbit/problem/detail/followed_orbit.hpp"
@@ -28,12 +29,12 @@ constexpr std::size_t kValuesAtOnce = 8;
 
 class OrbitTracer {
  public:
-  OrbitTracer(const SystemFamily& family, const BranchOptions& options)
+  OrbitTracer(const SystemFamily& family, const BranchOptions& options, const ShownNumber& shown)
       : family_(family),
         options_(options),
         lowest_(std::min(options.from, options.to)),
         highest_(std::max(options.from, options.to)),
-        branches_(family, options, result_) {
+        branches_(family, options, shown, result_) {
     result_.parameter = family.parameter();
     const System own = *family.at(family.value());
     compliant_ = own.has_compliant_stop();
@@ -279,7 +280,12 @@ class OrbitTracer {
 }  // namespace
 
 OrbitBranches trace_orbits(const SystemFamily& family, const BranchOptions& options) {
-  return OrbitTracer(family, options).trace();
+  return trace_orbits(family, options, ShownNumber());
+}
+
+OrbitBranches trace_orbits(const SystemFamily& family, const BranchOptions& options,
+                           const ShownNumber& shown) {
+  return OrbitTracer(family, options, shown).trace();
 }
 
 }  // namespace graze

@@ -42,8 +42,11 @@ Chart mode_shapes_chart(const Scene& scene, const Vector& omega);
 Chart shapes_chart(const SimulationRecord& record);
 
 // The force of every stop over time, each a panel; of more than four stops rows in one panel, all
-// in one scale.
+// in one scale. On compliant stops the force itself, of the samples that the record holds; means
+// over windows where the stop is rigid, and of all stops where they were asked for.
 Chart forces_chart(const SimulationRecord& record);
+// Whether means were asked for.
+bool shows_force_means(const SimulationRecord& record);
 
 // Amplitudes over the frequency at the places of the stops, of the samples that the record holds.
 Chart spectrum_chart(const SimulationRecord& record);

@@ -115,6 +115,11 @@ DrawnCurve force_curve(const SamplesSeen& samples, const SimulationRecord& recor
     for (; event != record.events.end() && event->time <= time; ++event) {
       if (event->stop != stop || event->time < window.start) continue;
       if (event->kind == EventKind::kStick) curve.push_back({event->time, event->force});
+      if (event->kind == EventKind::kContact) {
+        const ContactForce& law = record.system.stops[static_cast<std::size_t>(stop)].force();
+        curve.push_back({event->time, 0.0});
+        curve.push_back({event->time, law.at(0.0, event->speed)});
+      }
       if (event->kind == EventKind::kSeparation) add_largest_force(*event, curve);
       if (event->kind == EventKind::kRelease || event->kind == EventKind::kSeparation) {
         curve.push_back({event->time, 0.0});

@@ -10,6 +10,7 @@
 
 #include "graze/bifurcation/trace/detail/found_branches.hpp"
 #include "graze/bifurcation/trace/detail/orbit_problems.hpp"
+#include "graze/bifurcation/trace/detail/shown_branches.hpp"
 #include "graze/bifurcation/trace/orbit_branches_values.hpp"
 #include "graze/continuation/branch/detail/known_branch.hpp"
 
@@ -17,8 +18,10 @@ namespace graze {
 
 class BranchCollector {
  public:
-  // Refers to all of them; counts in `result`.
-  BranchCollector(const SystemFamily& family, const BranchOptions& options, OrbitBranches& result);
+  // Refers to all of them; counts in `result`. Branches are resolved until the curve of `shown` is
+  // right; empty: they are as they were traced.
+  BranchCollector(const SystemFamily& family, const BranchOptions& options,
+                  const ShownNumber& shown, OrbitBranches& result);
 
   // Traces the branch through the orbit, or the solution near these impacts, unless it is known
   // already or is none. Whether there is a solution.
@@ -70,6 +73,7 @@ class BranchCollector {
 
   const SystemFamily& family_;
   const BranchOptions& options_;
+  const ShownNumber& shown_;
   OrbitBranches& result_;
   ContinuationOptions continuation_;
   OrbitProblems problems_;
