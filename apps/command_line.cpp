@@ -19,7 +19,7 @@ void add_init(CLI::App& graze, std::optional<Command>& parsed) {
   const auto [app, command] = add_command<InitCommand>(
       graze, parsed, "init", "Write a commented scene to begin with, onto stdout or into a file");
   app->footer(footer("init beam my_beam.toml"));
-  begin_group(app, "Scene");
+  begin_group(app, kSceneGroup);
   app->add_option("KIND", command.kind,
                   "What the scene is of: beam against a stop, oscillator (modes given as numbers), "
                   "matrices of a finite-element model, or hub (a beam that turns)")
@@ -36,7 +36,7 @@ void add_check(CLI::App& graze, std::optional<Command>& parsed) {
   app->footer(footer("check data/scenes/02_wagg_momentum.toml --set beam.modes=8"));
   add_shared(app, command);
   add_picture(app, command, kFeatures<CheckRecord>);
-  begin_group(app, kOutputGroup);
+  begin_group(app, "Parameters");
   CLI::Option* list =
       app->add_flag("--parameters", command.parameters,
                     "List what --parameter may name, with values and units, and nothing else");
@@ -90,8 +90,8 @@ void add_continue(CLI::App& graze, std::optional<Command>& parsed) {
              "           --from 15 --to 120"));
   add_shared(app, command);
   add_picture(app, command, kFeatures<BranchRecord>);
-  add_orbit_search(app, command);
   add_range(app, command);
+  add_orbit_search(app, command);
   add_branch_kind(app, command);
   add_curve(app, command);
   add_closure_speed(app, command);
@@ -147,7 +147,7 @@ void add_map(CLI::App& graze, std::optional<Command>& parsed) {
   add_shared(app, command);
   add_picture(app, command, kFeatures<MapRecord>);
   add_plane(app, command);
-  begin_group(app, "Pictures");
+  begin_group(app, "Cells");
   add_map_show(app, command);
   add_loci_over_map(app, command);
   add_settling(app, command.settling);
@@ -185,7 +185,7 @@ void add_view(CLI::App& graze, std::optional<Command>& parsed) {
       ->type_name("DIR");
   add_printing(app, command);
   add_picture(app, command, kAllFeatures);
-  begin_group(app, "Pictures");
+  begin_group(app, "What is shown");
   CLI::Option* show =
       app->add_option("--show", command.show,
                       "What the picture shows, in the words of --show of the command that made the "

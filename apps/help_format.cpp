@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "graze/report/text/text.hpp"
+#include "option_groups.hpp"
 #include "usage_errors.hpp"
 
 namespace graze {
@@ -46,11 +47,27 @@ std::string HelpFormat::make_description(const CLI::App* app) const {
   return fitted_lines(app->get_description(), {}) + "\n";
 }
 
+std::string HelpFormat::ordered_groups(const CLI::App* app) const {
+  std::vector<std::string> headings = app->get_groups();
+  order_headings(headings);
+  std::string text;
+  for (const std::string& heading : headings) {
+    const std::vector<const CLI::Option*> below = app->get_options([&](const CLI::Option* option) {
+      return option->get_group() == heading && option->nonpositional();
+    });
+    if (!below.empty()) text += make_group(heading, false, below) + "\n";
+  }
+  return text;
+}
+
 // One empty line between groups.
 std::string HelpFormat::make_help(const CLI::App* app, std::string name,
                                   CLI::AppFormatMode mode) const {
-  return CLI::detail::find_and_replace(CLI::Formatter::make_help(app, std::move(name), mode),
-                                       "\n\n\n", "\n\n");
+  if (mode == CLI::AppFormatMode::Sub) return make_expanded(app);
+  const std::string text = make_description(app) + make_usage(app, std::move(name)) +
+                           make_positionals(app) + ordered_groups(app) +
+                           make_subcommands(app, mode) + "\n" + make_footer(app);
+  return CLI::detail::find_and_replace(text, "\n\n\n", "\n\n");
 }
 
 std::string HelpFormat::make_subcommand(const CLI::App* app) const {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "graze/base/errors.hpp"
@@ -22,6 +23,16 @@ const std::string kExitCodes =
 
 }  // namespace
 
+void order_headings(std::vector<std::string>& headings) {
+  const auto rank = [](const std::string& heading) {
+    const auto shared = {kSceneGroup, kNumericsGroup, kLongWorkGroup, kOutputGroup, kPicturesGroup};
+    const auto at = std::find(shared.begin(), shared.end(), heading);
+    return at == shared.end() ? -1 : static_cast<int>(at - shared.begin());
+  };
+  std::stable_sort(headings.begin(), headings.end(),
+                   [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+}
+
 void begin_group(CLI::App* app, const char* heading) { app->option_defaults()->group(heading); }
 
 std::string footer(const std::string& example) { return kExample + example + kExitCodes; }
@@ -33,7 +44,7 @@ std::string example_in(const std::string& footer) {
 }
 
 void add_shared(CLI::App* app, SceneOptions& command) {
-  begin_group(app, "Scene");
+  begin_group(app, kSceneGroup);
   app->add_option("SCENE", command.scene, "Scene file (TOML)")->required();
   app->add_option("-s,--set", command.settings,
                   "Replace or add one key of the scene, e.g. stop.gap=2e-3; as often as wanted")
@@ -203,7 +214,7 @@ void add_plane(CLI::App* app, MapCommand& command) {
 }
 
 void add_journal(CLI::App* app, JournalOptions& options) {
-  begin_group(app, "Long work");
+  begin_group(app, kLongWorkGroup);
   app->add_flag("--resume", options.goes_on,
                 "Go on with what an earlier run left in the folder of --out, whatever ended it; "
                 "what it finished is not done again");

@@ -6,14 +6,21 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "command.hpp"
 
 namespace graze {
 
 // Headings that options of several groups and commands stand below.
-inline constexpr const char* kOutputGroup = "Output";
+inline constexpr const char* kSceneGroup = "Scene";
 inline constexpr const char* kNumericsGroup = "Numerics and limits";
+inline constexpr const char* kLongWorkGroup = "Long work";
+inline constexpr const char* kOutputGroup = "Output";
+inline constexpr const char* kPicturesGroup = "Pictures";
+
+// Those of the command's own come first, then these in their order.
+void order_headings(std::vector<std::string>& headings);
 
 // A command, and the options it reads into, which become what is parsed where it is the one given.
 template <class Kind>

@@ -6,12 +6,12 @@
 #include <cstdlib>
 
 #include "graze/base/errors.hpp"
+#include "option_groups.hpp"
 #include "option_values.hpp"
 
 namespace graze {
 namespace {
 
-constexpr const char* kGroup = "Pictures";
 // A parameter may be below zero, but is no size.
 constexpr AxisScale kParameterScales[] = {AxisScale::kLinear, AxisScale::kLog};
 
@@ -48,8 +48,8 @@ void add_picture(CLI::App* app, CommonOptions& command, const PictureFeatures& f
          "Draw a picture into this .svg, .png or .pdf, the gnuplot script and its data are "
          "kept beside it; or into this .html, a page to look into with a browser")
       ->type_name("FILE")
-      ->group(kGroup);
-  const auto fits = [](CLI::Option* option) { option->group(kGroup)->needs("--plot"); };
+      ->group(kPicturesGroup);
+  const auto fits = [](CLI::Option* option) { option->group(kPicturesGroup)->needs("--plot"); };
   fits(app->add_option("--title", plot.title,
                        "Line at the head of the picture, or none (default: the scene's title "
                        "and what --set changed)")

@@ -80,7 +80,7 @@ void add_section(CLI::App* app, SimulateCommand& command) {
 }
 
 void add_run_picture(CLI::App* app, SimulateCommand& command) {
-  begin_group(app, "Pictures");
+  begin_group(app, kPicturesGroup);
   add_choice(app, "--show", command.show, kRunPictures,
              "With --plot: the motion; returns (each impact over the one before, with --section "
              "impact); spectrum (amplitudes over the frequency, of the last 64 forcing periods); "

@@ -57,7 +57,7 @@ bash tests/c/octave_test.sh build "$logs/octave" >> "$logs/octave.log" 2>&1 || {
 
 echo "== Debian packages"
 if [ "$(id -u)" -eq 0 ]; then
-  { apt-get install -y --no-install-recommends debootstrap lintian && bash apps/packaging/make_debs.sh build-deb "$logs/packages"; } \
+  { apt-get install -y --no-install-recommends debootstrap lintian && bash apps/packaging/make_debs.sh build "$logs/packages"; } \
     > "$logs/packages.log" 2>&1
   bash tests/packages/debian_test.sh "$logs/packages" "$logs/debian" >> "$logs/packages.log" 2>&1 || { failed=1; tail "$logs/packages.log"; }
 else

@@ -6,6 +6,8 @@
 #include <cctype>
 #include <sstream>
 
+#include "option_groups.hpp"
+
 namespace graze {
 namespace {
 
@@ -66,6 +68,7 @@ std::string options_section(const CommandReader::Description& command) {
   for (const CommandReader::Option& option : command.options)
     if (std::find(headings.begin(), headings.end(), option.heading) == headings.end())
       headings.push_back(option.heading);
+  order_headings(headings);
   for (const std::string& heading : headings) {
     text += fmt::format(".SS {}\n", plain(heading));
     for (const CommandReader::Option& option : command.options)

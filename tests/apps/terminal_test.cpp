@@ -1,6 +1,7 @@
 // What the program prints is made for a terminal of 100 columns.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -130,17 +131,37 @@ TEST(Terminal, HelpFitsToo) {
   }
 }
 
-// Long lists of options are read by their headings.
+std::vector<std::string> headings_of(const std::string& command) {
+  std::vector<std::string> headings;
+  for (const std::string& line : printed_lines(run_graze(command + " --help").out))
+    if (!line.empty() && line[0] != ' ' && line.back() == ':' && line != "Positionals:")
+      headings.push_back(line.substr(0, line.size() - 1));
+  return headings;
+}
+
+// Long lists of options are read by their headings: what the command alone has comes first.
 TEST(Terminal, HelpHasHeadings) {
-  const std::string help = run_graze("continue --help").out;
-  std::size_t before = 0;
-  for (const char* heading :
-       {"Output:", "Scene:", "Numerics and limits:", "Search for orbits:", "Parameter:",
-        "Branches:", "Response curves:", "Loci of special points:", "Restart:"}) {
-    const std::size_t at = help.find(std::string("\n") + heading + "\n");
-    EXPECT_NE(at, std::string::npos) << heading << "\n" << help;
-    EXPECT_GT(at, before) << heading;
-    before = at;
+  EXPECT_EQ(headings_of("continue"),
+            (std::vector<std::string>{"Parameter", "Search for orbits", "Branches",
+                                      "Response curves", "Loci of special points", "Restart",
+                                      "Scene", "Numerics and limits", "Output", "Pictures"}));
+}
+
+TEST(Terminal, HelpOfEveryCommandBeginsWithItsOwnOptions) {
+  const std::vector<std::string> shared = {"Scene", "Numerics and limits", "Long work", "Output",
+                                           "Pictures"};
+  for (const char* command : {"init", "check", "modes", "simulate", "orbit", "continue", "diagram",
+                              "map", "merge", "view", "cost", "fit", "compare"}) {
+    const std::vector<std::string> headings = headings_of(command);
+    std::vector<std::string> last;
+    for (const std::string& heading : shared)
+      if (std::find(headings.begin(), headings.end(), heading) != headings.end())
+        last.push_back(heading);
+    ASSERT_GE(headings.size(), last.size()) << command;
+    EXPECT_EQ(
+        std::vector<std::string>(headings.end() - static_cast<long>(last.size()), headings.end()),
+        last)
+        << command;
   }
 }
 

@@ -148,6 +148,31 @@ TEST(Exponents, AreLostWhereTheMotionSticks) {
   }
 }
 
+// Without damping and far from its stop a linear oscillator never repeats where its frequency and
+// the forcing's have no ratio of whole numbers; its exponents are both 0.
+TEST(Exponents, OfATorusAreZero) {
+  const System system = support::forced_oscillator(std::sqrt(2.0), 0.0, 100.0, 0.3, 0.8, 1.0);
+  const Exponents exponents =
+      lyapunov_exponents(system, support::state_of({1.0}, {0.5}), over(300));
+  ASSERT_EQ(exponents.failure, "");
+  EXPECT_EQ(exponents.wandering, Wandering::kTorus);
+  const double time = 300.0 * system.period();
+  EXPECT_LT(std::abs(exponents.values[0]) * time, std::log(300.0));
+}
+
+// What the exponents are not of a torus for: chaos of a ball on a table (above), and decay.
+TEST(Exponents, TellChaosAndDecayFromATorus) {
+  System ball{Vector::Zero(1), NaturalModes{Vector::Zero(1)}, {}};
+  ball.modal().load = Vector::Constant(1, 1.0);
+  ball.modal().forcing = HarmonicForcing{1.0, 0.3, Vector::Constant(1, 10.0)};
+  ball.stops.push_back({Vector::Ones(1), 0.0, ImpactLaw{Vector::Ones(1), 0.9}});
+  EXPECT_EQ(lyapunov_exponents(ball, support::state_of({-10.0}, {0.0}), over(2000)).wandering,
+            Wandering::kChaos);
+  const System decays = support::forced_oscillator(std::sqrt(2.0), 0.01, 100.0, 0.3, 0.8, 1.0);
+  EXPECT_EQ(lyapunov_exponents(decays, support::state_of({1.0}, {0.5}), over(300)).wandering,
+            Wandering::kOpen);
+}
+
 TEST(Exponents, OfOtherModesAreKeptWhereTheMotionSticks) {
   const Scene scene = support::shipped_scene(
       "02_wagg_momentum", {"beam.modes=2", "stop.restitution=0.1", "forcing.frequency=42"});

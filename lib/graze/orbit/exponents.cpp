@@ -126,18 +126,39 @@ Exponents of_multipliers(const System& system, StroboscopicMotion& motion, int t
   return result;
 }
 
+// Over the growth of the leading direction, period by period, as its logarithm.
+class GrowthWatch {
+ public:
+  void add(double growth) {
+    grown_ += growth;
+    least_ = std::min(least_, grown_);
+    most_ = std::max(most_, grown_);
+  }
+  // `largest` and `error`: the exponent and its standard error, 1/s.
+  Wandering verdict(long long periods, double largest, double error) const {
+    const double factor = std::log(static_cast<double>(periods));
+    if (most_ - least_ <= factor) return Wandering::kTorus;
+    return grown_ > factor && largest > 3.0 * error ? Wandering::kChaos : Wandering::kOpen;
+  }
+
+ private:
+  double grown_ = 0.0, least_ = 0.0, most_ = 0.0;
+};
+
 Exponents of_average(const System& system, StroboscopicMotion& motion,
                      const ExponentOptions& options) {
   const Eigen::Index size = 2 * system.modes();
   Exponents result;
   GrowingDirections directions(size);
   BlockMean mean(options.periods);
+  GrowthWatch watch;
   for (long long k = 0; k < options.turning + options.periods; ++k) {
     const std::optional<Matrix> image = motion.carry(directions.now());
     if (!image) break;
     const Vector growth = directions.carry(*image, motion.rank());
     if (k < options.turning) continue;
     mean.add(growth / system.period());
+    watch.add(growth[0]);
     result.impacts += motion.impacts();
   }
   result.periods = mean.count();
@@ -148,6 +169,8 @@ Exponents of_average(const System& system, StroboscopicMotion& motion,
     // Lost once is lost, also where that was before the average began to count.
     result.values.tail(directions.lost()).setConstant(-std::numeric_limits<double>::infinity());
     sort(result);
+    if (result.periods == options.periods)
+      result.wandering = watch.verdict(result.periods, result.values[0], result.errors[0]);
   }
   finish(motion, result);
   return result;

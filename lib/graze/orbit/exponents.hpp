@@ -34,14 +34,25 @@ struct ExponentOptions {
   StopSignal stop{};
 };
 
+// What an average over K periods says of a motion that does not repeat. Neighbours on a torus stay
+// near each other, or part in proportion to the time where its frequencies are not everywhere
+// alike; so their distance neither grows nor shrinks by more than a factor K. In chaos it grows
+// exponentially. An exponent below ln K/(K T), T the forcing period, is not told from zero.
+enum class Wandering {
+  kOpen,   // neither: it decays, or its error is too large
+  kTorus,  // the largest exponent is zero: the growth stayed within the factor K throughout
+  kChaos   // it is positive: growth beyond the factor K, and more than three standard errors
+};
+
 struct Exponents {
   Vector values;  // 2N, largest first, 1/s; minus infinity for directions that are lost
   // Standard errors by blocks of the average, 1/s; 0 where they come from multipliers, not finite
   // where there is no telling.
   Vector errors;
-  int lost = 0;                // how many are minus infinity
-  long long periods = 0;       // averaged over
-  long long impacts = 0;       // in them
+  Wandering wandering = Wandering::kOpen;  // open where they come from multipliers
+  int lost = 0;                            // how many are minus infinity
+  long long periods = 0;                   // averaged over
+  long long impacts = 0;                   // in them
   std::string failure;         // a sentence where the motion could not be followed; empty: it was
   std::optional<State> end{};  // at the start of a forcing period, where all was followed
 };

@@ -53,6 +53,8 @@ std::string name_of(DiagramSection section) {
 }
 
 std::string attractor_kind(const AttractorClass& attractor) {
+  if (attractor.wandering == Wandering::kTorus) return "torus";
+  if (attractor.wandering == Wandering::kChaos) return "chaos";
   if (attractor.period == 0) return name_of(attractor.status);
   switch (attractor.kind) {
     case SettledKind::kImpacts:

@@ -42,6 +42,7 @@ void add_attractors(const AttractorMap& map, MapLegend& legend) {
 }  // namespace
 
 const Look* ground_of(const AttractorClass& attractor) {
+  if (attractor.wandering == Wandering::kTorus) return &ground_look("torus");
   if (attractor.status == SweepStatus::kNotPeriodic) return &ground_look("wild");
   if (attractor.period == 0) return nullptr;
   if (attractor.kind == SettledKind::kSticks || attractor.kind == SettledKind::kAtRest)

@@ -82,11 +82,13 @@ bool settle_row(const Scene& scene, const System& system, const State& start,
 
 AttractorClass attractor_class(const SweepRow& row) {
   const SettledMotion& motion = row.motion;
-  AttractorClass attractor{row.status, motion.kind, motion.period, 0};
+  AttractorClass attractor{row.status, motion.kind, motion.period, 0, Wandering::kOpen};
   // Nearness is no part of what it is.
   if (row.status == SweepStatus::kApproaching) attractor.status = SweepStatus::kSettled;
   if (motion.kind == SettledKind::kImpacts)
     attractor.impacts = static_cast<int>(motion.impacts.size());
+  if (row.status == SweepStatus::kNotPeriodic && row.exponents)
+    attractor.wandering = row.exponents->wandering;
   return attractor;
 }
 

@@ -57,6 +57,7 @@ struct AttractorClass {
   int period = 0;   // 0 where nothing repeats
   int impacts = 0;  // in a repetition; 0 where it sticks, as how many are counted is a matter of
                     // the speed at which chatter is summed
+  Wandering wandering = Wandering::kOpen;  // where nothing repeats and exponents are known
   auto operator<=>(const AttractorClass&) const = default;
 };
 AttractorClass attractor_class(const SweepRow& row);
