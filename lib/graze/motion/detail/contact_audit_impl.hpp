@@ -23,30 +23,33 @@ void Motion<Real>::fail_audit(int i, std::string what) {
   broken_ = Arrival<Real>{ArrivalKind::kRefused, i};
 }
 
-// What of the gap there may be rounding, m.
+// What of a gap may be rounding after a flight, m: of the gap at either end, and of how far
+// velocities and forces move the structure in that time, or in its rounding.
 template <class Real>
-Real Motion<Real>::passing_rounding(int i, const MotionState<Real>& at) const {
+Real Motion<Real>::passing_rounding(int i, const Real& flight) const {
   const MetStop& s = stop(i);
-  const Real eps = std::numeric_limits<Real>::epsilon();
-  const Real moved = eps * at.instant.local * s.row.cwiseAbs().dot(at.qdot.cwiseAbs());
-  return kAuditAmplification * (gap_value(s.row, at.q, s.gap).rounding + moved);
+  const Real time = now_.instant.local + flight;
+  RealVector<Real> size;
+  free_acceleration(&size);
+  size = time * size + now_.qdot.cwiseAbs() + departure_.qdot.cwiseAbs();
+  const Real moved = std::numeric_limits<Real>::epsilon() * time * s.row.cwiseAbs().dot(size);
+  return kAuditAmplification * (gap_value(s.row, now_.q, s.gap).rounding +
+                                gap_value(s.row, departure_.q, s.gap).rounding + moved);
 }
 
 // After a flight, before anything is decided at its end. Steps that the scene asks for look at the
 // ends of steps alone.
 template <class Real>
-void Motion<Real>::audit_gaps() {
+void Motion<Real>::audit_gaps(const Real& flight) {
   if (steps_) return;
   for (const int i : looked_at_) {
     const Contact now = contact(i);
-    if (is_held(i) ||
-        (stop(i).is_compliant() && (now == Contact::kCompressed || now == Contact::kParted)))
-      continue;
+    const bool is_beyond = now == Contact::kCompressed || now == Contact::kParted;
+    if (stop(i).is_compliant() ? is_beyond : is_held(i)) continue;
     const Real gap = this->gap(i);
     if (!(gap < 0)) continue;
-    const Real rounding = passing_rounding(i, now_) + passing_rounding(i, departure_);
     const Real before = stop(i).gap - stop(i).row.dot(departure_.q);
-    if (passes(before, gap, rounding)) {
+    if (passes(before, gap, passing_rounding(i, flight))) {
       return fail_audit(i, fmt::format("its gap became {:.3g}{} without a contact",
                                        static_cast<double>(gap), unit_behind(system_.units, "m")));
     }

@@ -261,8 +261,8 @@ class Motion {
   void settle_on(int stop, const Real& flight);
   void touch_simultaneous(const Real& flight);
   void fail_audit(int stop, std::string what);
-  Real passing_rounding(int stop, const MotionState<Real>& at) const;
-  void audit_gaps();
+  Real passing_rounding(int stop, const Real& flight) const;
+  void audit_gaps(const Real& flight);
   void audit_forces();
   bool pulls(const std::vector<int>& held) const;
   Real kinetic_square() const;

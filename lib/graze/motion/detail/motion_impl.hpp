@@ -266,7 +266,7 @@ Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
   const bool whole = arrival.flight == until - now_.instant.local;
   if (arrival.flight > 0) {
     phase_->state(arrival.flight, now_.q, now_.qdot);
-    audit_gaps();
+    audit_gaps(arrival.flight);
     // A stop that has hardly been left still counts as touched: the sign of its gap is rounding.
     for (const int i : all_)
       if (contact(i) == Contact::kDeparting)
