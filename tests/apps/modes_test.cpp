@@ -66,7 +66,7 @@ TEST(Modes, OfAMeshAreDrawnByItsElements) {
         "NSET=TIP\n3,\n");
   write("s.toml",
         "[matrices]\nmass = \"m.mtx\"\nstiffness = \"k.mtx\"\ncoordinates = \"mesh.inp\"\nmodes = "
-        "2\nconstraints = [\"ROOT.1\"]\n[[stop]]\nnode = \"tip.1\"\ngap = 1\nrestitution = .5\n");
+        "2\nconstraints = [\"ROOT.1\"]\n[[stop]]\nnode = \"tip.1\"\ngap = 1\nrestitution = 0.5\n");
   const Finished done = run_graze("modes --json --out " + (folder / "out").string() + " " +
                                   (folder / "s.toml").string());
   ASSERT_EQ(done.code, 0) << done.err;

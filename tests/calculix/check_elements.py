@@ -129,7 +129,7 @@ def check(program, folder, kind):
         raise RuntimeError(f"cells {types}")
     if kind.startswith("C"):
         calculix(folder, "free", kind, "*FREQUENCY, SOLVER=MATRIXSTORAGE\n5", held=False)
-        held = 'constraints = ["FIX.1", "FIX.2", "FIX.3"]\n[[stop]]\nnode = "TIP.3"\ngap = 1\nrestitution = .5\n'
+        held = 'constraints = ["FIX.1", "FIX.2", "FIX.3"]\n[[stop]]\nnode = "TIP.3"\ngap = 1\nrestitution = 0.5\n'
         document = graze(program, folder, scene.format("free") + held)
         worst = max(worst, compare(document, exact))
         whole = LENGTH * WIDTH * THICKNESS * DENSITY

@@ -58,6 +58,16 @@ TEST_F(SharedNames, AreHeldTogetherOrOneByOne) {
   EXPECT_THROW(read({{2, 2}}), InputError);
 }
 
+// Rows of nodes that the mesh has not are no displacements: node 5 is not moved by a base.
+TEST_F(SharedNames, AreThoseOfTheMeshWhereItIsKnown) {
+  EXPECT_EQ(read().total_masses.at(1), 4.0);
+  const StructuralMatrices structure =
+      read_structure({folder_ / "m.mas", folder_ / "k.sti", {}, folder_ / "rows.dof", {2, 7}}, {});
+  EXPECT_EQ(structure.total_masses.at(1), 1.0);
+  EXPECT_EQ(structure.inertia_loads.at(1), (Vector(4) << 1.0, 0.0, 0.0, 0.0).finished());
+  EXPECT_EQ(structure.total_masses.at(3), 6.0);
+}
+
 // What is listed to be held stands once.
 TEST_F(SharedNames, AreRefusedInAListOfDegreesOfFreedom) {
   try {

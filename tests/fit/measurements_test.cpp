@@ -57,6 +57,29 @@ TEST(Measurements, AreReadAsSpreadsheetsWriteThem) {
   EXPECT_EQ(data.places[1].line, 5);
 }
 
+// Every decimal multiple is the number divided or multiplied by its power of ten, rounded once.
+TEST(Measurements, AreReadInTheUnitsOfTheirColumns) {
+  for (const char* text :
+       {"t (ms);Force (kN)\n0;0,3\n0,7;1,1\n", "T [ms]\tforce1 [kN]\n0\t0.3\n0.7\t1.1\n",
+        "time (us),force (kN)\n0,0.3\n700,1.1\n",
+        "time (\xC2\xB5s),force (kN)\n0,0.3\n7e2,1.1\n"}) {
+    const Measurements data = read(text);
+    EXPECT_EQ(data.kind, MeasurementKind::kResponse) << text;
+    EXPECT_EQ(data.at[0], 0.0) << text;
+    EXPECT_DOUBLE_EQ(data.at[1], 7e-4) << text;
+    EXPECT_EQ(data.series[0].quantity, Quantity::kForce) << text;
+    EXPECT_EQ(data.series[0].values, Eigen::Vector2d(300.0, 1100.0)) << text;
+    EXPECT_EQ(data.series[0].unit, "N") << text;
+  }
+  const Measurements data = read(
+      "time,gap1 (mm),velocity1 (mm/s),sigma_gap1 (um),sigma_velocity1\n0,3,5,7,1\n1,4,6,8,1\n");
+  EXPECT_EQ(data.series[0].values, Eigen::Vector2d(0.003, 0.004));
+  EXPECT_EQ(data.series[0].uncertainty, Eigen::Vector2d(7e-6, 8e-6));
+  EXPECT_EQ(data.series[1].values, Eigen::Vector2d(0.005, 0.006));
+  EXPECT_EQ(read("speed (mm/s);restitution (1)\n300;0,5\n").at[0], 0.3);
+  EXPECT_EQ(read("t (ms)\n10\n20\n").series[0].values, Eigen::Vector2d(0.01, 0.02));
+}
+
 TEST(Measurements, OfEventsAreTheImpactsAmongThem) {
   const Measurements data = read(
       "kind,time,stop,speed,force\nimpact,0.5,1,1,\nstick,0.6,1,,3\nimpact,0.9,2,1,\ncontact,1.1,1,"
@@ -101,7 +124,10 @@ TEST(Measurements, ThatAreBadAreRefusedWithTheirPlace) {
            {"\n# only a comment\n", "m.csv:1:1: data: ", "the file is empty"},
            {"time,gap1\n", "m.csv:1:1: data: ", "no row of numbers below the column names"},
            {"0,1\n1,2\n", "m.csv:1:1: data: ", "'0' is a number; the first row must name"},
-           {"time;gap1\n0;1\n", "m.csv:1:1: data: ", "columns must be parted by commas"},
+           {"time gap1\n0 1\n",
+            "m.csv:1:1: data: ", "columns must be parted by commas, semicolons or tabs"},
+           {"time;gap1\n0;1.5\n1;1,5\n",
+            "m.csv:3:3: data: ", "'1,5' has a comma where other numbers have a point"},
            {"time,,gap1\n0,1,2\n", "m.csv:1:6: data: ", "a column has no name"},
            {"time,gap1,time\n0,1,2\n", "m.csv:1:11: data: ", "column 'time' stands there twice"},
            {"time,gap1\n0,1\n1\n",
@@ -119,9 +145,13 @@ TEST(Measurements, ThatAreBadAreRefusedWithTheirPlace) {
            {"time,gap1\n0,1\n1,1\n", "m.csv:2:3: data: ", "all 2 values are 1"},
            {"time,gap2\n0,1\n1,2\n", "m.csv:1:6: data: ", "gap2: the scene has 1 stop"},
            {"time,q2\n0,1\n1,2\n", "m.csv:1:6: data: ", "q2: the scene has 1 mode"},
-           {"time (ms),gap1\n0,1\n1,2\n",
-            "m.csv:1:1: data: ", "it is in ms, which is not converted"},
-           {"force,gap1\n0,1\n", "m.csv:1:1: data: ", "there is neither a column 'time' nor"},
+           {"time (min),gap1\n0,1\n1,2\n",
+            "m.csv:1:1: data: ", "it is in min, which is not converted; give it in s"},
+           {"time,gap1 (in)\n0,1\n1,2\n", "m.csv:1:6: data: ", "it is in in, which is not"},
+           {"time (ms),gap1\n0,1\n0,2\n",
+            "m.csv:3:1: data: ", "0 s is not after the 0 s before it"},
+           {"force,gap1\n0,1\n",
+            "m.csv:1:1: data: ", "there is neither a column 'time' (or 't') nor"},
            {"speed,e\n1,0.5\n", "m.csv:1:1: data: ", "neither a column 'time'"},
            {"time,gap1,q1\n0,1,2\n1,2,3\n", "m.csv:1:1: data: ", "how they are to be weighed"},
            {"time,gap1,sigma\n0,1,1\n1,2,0\n", "m.csv:3:5: data: ", "must be above 0"},

@@ -45,6 +45,16 @@ TEST(TorqueTable, IsReadWithAndWithoutNames) {
   }
 }
 
+TEST(TorqueTable, IsReadAsSpreadsheetsWriteIt) {
+  for (const char* text : {"t (ms);T (kNm)\n0;1,5\n250;-0,002\n",
+                           "t [ms]\tT [kN*m]\n0\t1.5\n250\t-2e-3\n", "0;1500\n0,25;-2\n"}) {
+    const TorqueFile file(text);
+    const TorqueTable table = read_torque_file(file.path());
+    EXPECT_EQ(table.times, (std::vector<double>{0.0, 0.25})) << text;
+    EXPECT_EQ(table.values, (std::vector<double>{1500.0, -2.0})) << text;
+  }
+}
+
 TEST(TorqueTable, MayJump) {
   const TorqueFile file("0,1\n0.1,1\n0.1,0\n0.2,0\n");
   EXPECT_EQ(read_torque_file(file.path()).times, (std::vector<double>{0.0, 0.1, 0.1, 0.2}));
@@ -65,10 +75,10 @@ TEST(TorqueTable, MistakesAreReportedWhereTheyStand) {
   EXPECT_EQ(message_of("0,1\n0.1,1,2\n"), ":2:7: data: the row has 3 cells, line 1 has 2 columns");
   EXPECT_EQ(message_of("t,T\n0,1\n0.1\n"),
             ":3:1: data: the row has 1 cell, line 1 names 2 columns");
-  EXPECT_EQ(message_of("t (ms),T\n0,1\n1,1\n"),
-            ":1:1: data: t: it is in ms, which is not converted; it must be the time in s");
-  EXPECT_EQ(message_of("t,T (kN m)\n0,1\n1,1\n"),
-            ":1:3: data: T: it is in kN m, which is not converted; it must be the torque in N m");
+  EXPECT_EQ(message_of("t (min),T\n0,1\n1,1\n"),
+            ":1:1: data: t: it is in min, which is not converted; give it in s");
+  EXPECT_EQ(message_of("t,T (lbf ft)\n0,1\n1,1\n"),
+            ":1:3: data: T: it is in lbf ft, which is not converted; give it in N m");
   EXPECT_EQ(message_of("0,1\n0.1,x\n"), ":2:5: data: column 2: 'x' is not a number");
   EXPECT_EQ(message_of("0,1\n0.1,\n"), ":2:5: data: column 2: a number is missing");
   EXPECT_EQ(message_of("t,T\n0,1\n0.1,inf\n"), ":3:5: data: T: 'inf' is not a finite number");

@@ -40,6 +40,11 @@ void add_missing_nodes(const Scene& scene, std::vector<std::string>& warnings) {
   const bool is_based = scene.forcing && scene.forcing->kind == ForcingKind::kBase;
   if (!is_based && !scene.gravity) return;
   const MatrixModes& matrices = *scene.matrices()->solved;
+  if (!scene.matrices()->dofs.empty() && matrices.elements.empty())
+    warnings.push_back(
+        "the mesh is not known: where elements are C3D8I, S4 or B31, CalculiX writes their "
+        "incompatible modes as nodes, which a moving base or gravity then loads; name its input "
+        "file with *NODE and *ELEMENT as coordinates");
   std::vector<long> missing;
   for (const auto& [node, place] : matrices.coordinates) {
     const auto row = matrices.rows.lower_bound({node, 1});

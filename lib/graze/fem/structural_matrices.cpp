@@ -94,11 +94,12 @@ std::vector<DofLabel> rows_named(const Places& places, const DofLabel& name) {
 
 // What a unit acceleration of the whole structure does, before rows are left out.
 void add_inertia(StructuralMatrices& result, const SparseMatrix& mass,
-                 const std::vector<DofLabel>& labels, const Places& kept) {
+                 const std::vector<DofLabel>& labels, const Places& kept,
+                 const std::set<long>& nodes) {
   std::map<int, Vector> fields;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const int direction = labels[i].direction;
-    if (direction > 3) continue;
+    if (direction > 3 || (!nodes.empty() && !nodes.contains(labels[i].node))) continue;
     auto [field, is_new] = fields.try_emplace(direction, Vector());
     if (is_new) field->second = Vector::Zero(mass.rows());
     field->second[static_cast<Eigen::Index>(i)] = 1.0;
@@ -179,7 +180,8 @@ std::vector<int> StructuralMatrices::rows_with_mass() const {
 
 StructuralMatrices join_matrices(const LabelledMatrix& mass, const LabelledMatrix& stiffness,
                                  const LabelledMatrix* damping,
-                                 const std::vector<DofLabel>& constraints) {
+                                 const std::vector<DofLabel>& constraints,
+                                 const std::set<long>& nodes) {
   check_sizes(mass, stiffness);
   if (damping) check_sizes(*damping, stiffness);
   const std::vector<DofLabel> labels = united_labels(mass, stiffness, damping);
@@ -210,7 +212,7 @@ StructuralMatrices join_matrices(const LabelledMatrix& mass, const LabelledMatri
     result.damping = reordered(*damping, kept, result.size());
     result.damping_file = damping->file;
   }
-  add_inertia(result, reordered(mass, all, static_cast<int>(labels.size())), labels, kept);
+  add_inertia(result, reordered(mass, all, static_cast<int>(labels.size())), labels, kept, nodes);
   result.couplings = coupled_nodes(stiffness);
   check_rows(result);
   return result;
@@ -232,7 +234,7 @@ StructuralMatrices read_structure(const MatrixFiles& files,
     name_rows(stiffness, names, *files.dofs);
     if (damping) name_rows(*damping, names, *files.dofs);
   }
-  return join_matrices(mass, stiffness, damping ? &*damping : nullptr, constraints);
+  return join_matrices(mass, stiffness, damping ? &*damping : nullptr, constraints, files.nodes);
 }
 
 }  // namespace graze

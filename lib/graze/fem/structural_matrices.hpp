@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +26,9 @@ struct MatrixFiles {
   std::filesystem::path mass, stiffness;
   std::optional<std::filesystem::path> damping{};
   std::optional<std::filesystem::path> dofs{};  // names of the rows, for files without names
+  // Of the mesh, where all are known. Rows of other nodes, by which CalculiX has the incompatible
+  // modes of C3D8I, S4 and B31, are no displacements of the structure as a whole.
+  std::set<long> nodes{};
 };
 
 struct StructuralMatrices {
@@ -33,7 +37,8 @@ struct StructuralMatrices {
   std::vector<DofLabel> labels;         // n, of the free degrees of freedom
   std::vector<DofLabel> held;           // those left out, in the order of the files
   // By direction 1, 2, 3 (0 where degrees of freedom have none): the forces M r by which a unit
-  // acceleration of all of them, held ones included, loads the free ones (n), and r^T M r.
+  // acceleration of all of them, held ones included, loads the free ones (n), and r^T M r. Where
+  // the nodes of the mesh are known, of those alone.
   std::map<int, Vector> inertia_loads;
   std::map<int, double> total_masses;
   // Pairs of nodes that an entry of the stiffness couples, held ones included; of a frame its bars.
@@ -63,6 +68,7 @@ StructuralMatrices read_structure(const MatrixFiles& files,
 // next; what one matrix does not have is zero there.
 StructuralMatrices join_matrices(const LabelledMatrix& mass, const LabelledMatrix& stiffness,
                                  const LabelledMatrix* damping,
-                                 const std::vector<DofLabel>& constraints = {});
+                                 const std::vector<DofLabel>& constraints = {},
+                                 const std::set<long>& nodes = {});
 
 }  // namespace graze

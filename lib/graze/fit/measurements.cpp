@@ -39,8 +39,15 @@ struct NamedQuantity {
   int number = 1;  // from 1
 };
 
+std::string lower(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
 // "force2": the force at the second stop; "force" that at the first.
-std::optional<NamedQuantity> quantity_of(const std::string& column) {
+std::optional<NamedQuantity> quantity_of(const std::string& written) {
+  const std::string column = lower(written);
   const std::size_t letters = std::min(column.find_first_of("0123456789"), column.size());
   const std::string name = column.substr(0, letters), digits = column.substr(letters);
   for (const QuantityName& known : kQuantities) {
@@ -54,30 +61,26 @@ std::optional<NamedQuantity> quantity_of(const std::string& column) {
   return {};
 }
 
-void check_unit(const DataTable& table, std::size_t column, const std::string& unit) {
-  const std::optional<std::string>& written = table.column_unit(column);
-  if (!written || *written == unit) return;
-  throw table.name_error(column,
-                         fmt::format("{}: it is in {}, which is not converted; give it in {}",
-                                     table.column_name(column), *written, unit));
-}
-
 class Reader {
  public:
   Reader(const DataTable& table, const Scene& scene, const MeasurementOptions& options)
       : table_(table), scene_(scene), options_(options) {
     result_.file = table.name();
+    for (std::size_t c = 0; c < table.columns(); ++c)
+      if (const std::string name = lower(table.column_name(c));
+          name == "time" || (name == "t" && time_.empty()))
+        time_ = table.column_name(c);
   }
 
   Measurements read() {
     const bool pairs = table_.find("speed") && table_.find("restitution") && !table_.find("kind");
     if (pairs) {
       read_restitution();
-    } else if (!table_.find("time")) {
+    } else if (time_.empty()) {
       throw table_.error(
-          "there is neither a column 'time' nor the columns 'speed' and 'restitution'; allowed are "
-          "speed,restitution or time, alone (impact times) or with columns such as force1, gap1, "
-          "displacement1, velocity1, penetration1, q1, qdot1");
+          "there is neither a column 'time' (or 't') nor the columns 'speed' and 'restitution'; "
+          "allowed are speed,restitution or time, alone (impact times) or with columns such as "
+          "force1, gap1, displacement1, velocity1, penetration1, q1, qdot1");
     } else if (has_response()) {
       read_response();
     } else {
@@ -103,14 +106,14 @@ class Reader {
   std::size_t column(const std::string& name, const std::string& unit) {
     const std::size_t c = *table_.find(name);
     used_.insert(c);
-    check_unit(table_, c, unit);
+    table_.check_unit(c, unit);
     return c;
   }
 
-  Vector numbers(std::size_t column) const {
+  Vector numbers(std::size_t column, const std::string& unit) const {
     Vector values(static_cast<Eigen::Index>(kept_.size()));
     for (std::size_t i = 0; i < kept_.size(); ++i)
-      values[static_cast<Eigen::Index>(i)] = table_.number(kept_[i], column);
+      values[static_cast<Eigen::Index>(i)] = table_.number(kept_[i], column, unit);
     return values;
   }
 
@@ -130,7 +133,7 @@ class Reader {
     for (const std::string& candidate : {"sigma_" + name, std::string("sigma")}) {
       if (!table_.find(candidate)) continue;
       const std::size_t c = column(candidate, unit);
-      Vector values = numbers(c);
+      Vector values = numbers(c, unit);
       for (std::size_t i = 0; i < kept_.size(); ++i)
         if (!(values[static_cast<Eigen::Index>(i)] > 0.0))
           throw table_.cell_error(
@@ -142,8 +145,12 @@ class Reader {
 
   void add_series(const std::string& name, const std::string& unit, std::size_t c,
                   Quantity quantity = Quantity::kCoordinate, int index = 0) {
-    MeasuredSeries series{name,       unit_in(scene_.units, unit), quantity, index,
-                          numbers(c), uncertainty(name, unit)};
+    MeasuredSeries series{name,
+                          unit_in(scene_.units, unit),
+                          quantity,
+                          index,
+                          numbers(c, unit),
+                          uncertainty(name, unit)};
     if (result_.series.empty())
       for (const std::size_t row : kept_) result_.places.push_back(table_.place(row, c));
     result_.series.push_back(std::move(series));
@@ -153,7 +160,7 @@ class Reader {
     result_.kind = MeasurementKind::kRestitution;
     keep_all_rows();
     const std::size_t speed = column("speed", "m/s"), restitution = column("restitution", "1");
-    result_.at = numbers(speed);
+    result_.at = numbers(speed, "m/s");
     add_series("restitution", "", restitution);
     // The law lies between 0 and 1; a measurement may miss it by as much as it spans.
     constexpr double kLeast = -1.0, kMost = 2.0;
@@ -185,7 +192,7 @@ class Reader {
     } else {
       keep_all_rows();
     }
-    const std::size_t time = column("time", "s");
+    const std::size_t time = column(time_, "s");
     read_stops();
     add_series("time", "s", time);
     result_.at.resize(static_cast<Eigen::Index>(kept_.size()));
@@ -229,8 +236,8 @@ class Reader {
   void read_response() {
     result_.kind = MeasurementKind::kResponse;
     keep_all_rows();
-    const std::size_t time = column("time", "s");
-    result_.at = numbers(time);
+    const std::size_t time = column(time_, "s");
+    result_.at = numbers(time, "s");
     for (Eigen::Index i = 0; i < result_.at.size(); ++i) {
       const auto row = static_cast<std::size_t>(i);
       if (result_.at[i] < 0.0) throw negative_time(row, time);
@@ -308,13 +315,14 @@ class Reader {
   InputError falling_time(std::size_t row, std::size_t column, double before) const {
     return table_.cell_error(
         row, column,
-        fmt::format("time: {} s is not after the {:g} s before it; times must increase",
-                    table_.text(row, column), before));
+        fmt::format("time: {:g} s is not after the {:g} s before it; times must increase",
+                    table_.number(row, column, "s"), before));
   }
 
   const DataTable& table_;
   const Scene& scene_;
   const MeasurementOptions& options_;
+  std::string time_;  // the name of its column; empty: there is none
   std::set<std::size_t> used_;
   std::vector<std::size_t> kept_;  // rows of the table
   Measurements result_;

@@ -19,7 +19,7 @@ std::string stripped(const std::string& text) {
   return inner;
 }
 
-std::optional<double> number_in(const std::string& text) {
+std::optional<double> plain_number(const std::string& text) {
   const char* first = text.data();
   const char* const last = first + text.size();
   if (first != last && *first == '+') ++first;
@@ -30,12 +30,40 @@ std::optional<double> number_in(const std::string& text) {
   return value;
 }
 
+// Without blanks and signs of a product: "N m", "N*m" and "Nm" are one.
+std::string plain_unit(const std::string& text) {
+  if (text == "1") return "";
+  std::string plain;
+  for (const char c : text)
+    if (c != ' ' && c != '*') plain += c;
+  return plain;
+}
+
+// The power of ten in a unit that is one times `unit`, -3 of "mm/s" beside "m/s".
+std::optional<int> power_of_ten(const std::string& written, const std::string& unit) {
+  static constexpr std::pair<const char*, int> kPrefixes[] = {
+      {"", 0},   {"n", -9}, {"u", -6}, {"\u00b5", -6}, {"\u03bc", -6},
+      {"m", -3}, {"c", -2}, {"k", 3},  {"M", 6},       {"G", 9}};
+  const std::string given = plain_unit(written), wanted = plain_unit(unit);
+  for (const auto& [prefix, power] : kPrefixes)
+    if (given == prefix + wanted &&
+        (power == 0 || std::string("smNr").find(wanted[0]) != std::string::npos))
+      return power;
+  return {};
+}
+
 // What a message shows of a cell, which may be anything.
 std::string shown(const std::string& text) {
   constexpr std::size_t kMost = 40;
   std::string plain;
   for (const char c : text.substr(0, kMost)) plain += c < ' ' || c == 0x7f ? '?' : c;
   return text.size() > kMost ? plain + ".." : plain;
+}
+
+char parting_of(const std::string& first_row) {
+  for (const char parting : {';', ',', '\t'})
+    if (first_row.find(parting) != std::string::npos) return parting;
+  return ',';
 }
 
 }  // namespace
@@ -53,6 +81,7 @@ DataTable::DataTable(const std::string& text, std::string name, ColumnNames name
                        "this is no text; a table must be comma-separated numbers under a row of "
                        "names");
     if (stripped(line).empty() || line.front() == '#') continue;
+    if (parting_ == '\0') parting_ = parting_of(line);
     Row row = split(line, number);
     if (names_.empty() && names == ColumnNames::kOptional && number_in(row.cells.front().text))
       number_columns(row);
@@ -61,6 +90,9 @@ DataTable::DataTable(const std::string& text, std::string name, ColumnNames name
       continue;
     }
     check_width(row);
+    for (const Cell& cell : row.cells)
+      has_point_ =
+          has_point_ || (cell.text.find('.') != std::string::npos && plain_number(cell.text));
     rows_.push_back(std::move(row));
   }
   if (names_.empty())
@@ -74,7 +106,7 @@ DataTable::Row DataTable::split(const std::string& line, int number) const {
   Row row{number, {}};
   std::size_t start = 0;
   for (;;) {
-    const std::size_t end = std::min(line.find(',', start), line.size());
+    const std::size_t end = std::min(line.find(parting_, start), line.size());
     const std::string cell = line.substr(start, end - start);
     const std::size_t blank = std::min(cell.find_first_not_of(" \t"), cell.size());
     row.cells.push_back({stripped(cell), static_cast<int>(start + blank) + 1});
@@ -93,8 +125,6 @@ void DataTable::read_names(Row row) {
                        fmt::format("'{}' is a number; the first row must name the columns, e.g. "
                                    "time,force",
                                    shown(cell.text)));
-    if (row.cells.size() == 1 && cell.text.find_first_of(";\t") != std::string::npos)
-      throw InputError(where, "data", "columns must be parted by commas");
     std::optional<std::string> unit;
     const std::size_t open = cell.text.find_last_of("([");
     if (open != std::string::npos && open > 0 &&
@@ -102,6 +132,8 @@ void DataTable::read_names(Row row) {
       unit = cell.text.substr(open + 1, cell.text.size() - open - 2);
       cell.text = stripped(cell.text.substr(0, open));
     }
+    if (row.cells.size() == 1 && cell.text.find_first_of(" \t") != std::string::npos)
+      throw InputError(where, "data", "columns must be parted by commas, semicolons or tabs");
     if (find(cell.text))
       throw InputError(where, "data",
                        fmt::format("column '{}' stands there twice", shown(cell.text)));
@@ -139,12 +171,40 @@ double DataTable::number(std::size_t row, std::size_t column) const {
   const std::string& name = column_name(column);
   if (cell.empty()) throw cell_error(row, column, fmt::format("{}: a number is missing", name));
   const std::optional<double> value = number_in(cell);
+  if (!value && has_point_ && cell.find(',') != std::string::npos)
+    throw cell_error(row, column,
+                     fmt::format("{}: '{}' has a comma where other numbers have a point; numbers "
+                                 "must be written in one way, thousands not parted",
+                                 name, shown(cell)));
   if (!value)
     throw cell_error(row, column, fmt::format("{}: '{}' is not a number", name, shown(cell)));
   if (!std::isfinite(*value))
     throw cell_error(row, column,
                      fmt::format("{}: '{}' is not a finite number", name, shown(cell)));
   return *value;
+}
+
+double DataTable::number(std::size_t row, std::size_t column, const std::string& unit) const {
+  const double value = number(row, column);
+  if (!units_[column] || *units_[column] == unit) return value;
+  check_unit(column, unit);
+  const int power = *power_of_ten(*units_[column], unit);
+  // Powers up to 1e9 are exact, so the result is rounded once.
+  return power < 0 ? value / std::pow(10.0, -power) : value * std::pow(10.0, power);
+}
+
+void DataTable::check_unit(std::size_t column, const std::string& unit) const {
+  const std::optional<std::string>& written = units_[column];
+  if (!written || power_of_ten(*written, unit)) return;
+  throw name_error(column, fmt::format("{}: it is in {}, which is not converted; give it in {}",
+                                       column_name(column), *written, unit));
+}
+
+std::optional<double> DataTable::number_in(std::string text) const {
+  // Where commas part columns there is none in a cell.
+  if (const std::size_t comma = text.find(','); comma != std::string::npos && !has_point_)
+    text[comma] = '.';
+  return plain_number(text);
 }
 
 InputError DataTable::cell_error(std::size_t row, std::size_t column,

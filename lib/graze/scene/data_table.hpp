@@ -1,5 +1,7 @@
-// A table of numbers as text (measurements, a torque over time): comma-separated columns under a
-// row of names, each cell with its place, so that a message can point at it.
+// A table of numbers as text (measurements, a torque over time): columns under a row of names, each
+// cell with its place, so that a message can point at it. Its first row tells what parts columns: a
+// semicolon where it has one, else a comma, else a tab. Beside semicolons and tabs numbers may have
+// a comma in place of the point.
 #pragma once
 
 #include <cstddef>
@@ -37,6 +39,10 @@ class DataTable {
   }
   // The cell as a finite number; throws InputError where it is none.
   double number(std::size_t row, std::size_t column) const;
+  // The same in `unit`, where the column's name tells a multiple of it: of "t (ms)" in "s".
+  double number(std::size_t row, std::size_t column, const std::string& unit) const;
+  // Throws InputError where the column's name tells a unit that is no decimal multiple of `unit`.
+  void check_unit(std::size_t column, const std::string& unit) const;
   SourceLocation place(std::size_t row, std::size_t column) const {
     return {name_, rows_[row].line, rows_[row].cells[column].column};
   }
@@ -60,9 +66,12 @@ class DataTable {
   void read_names(Row row);
   void number_columns(const Row& first);
   void check_width(const Row& row) const;
+  std::optional<double> number_in(std::string text) const;
 
   std::string name_;
-  int header_line_ = 0;  // which says how many columns there are: the row of names, or the first
+  char parting_ = '\0';     // what parts columns, once the first row has told
+  bool has_point_ = false;  // in some cell
+  int header_line_ = 0;     // which says how many columns there are: the row of names, or the first
   bool named_ = true;
   std::vector<Cell> names_;
   std::vector<std::optional<std::string>> units_;

@@ -232,6 +232,9 @@ void solve_matrices(Scene& scene) {
   if (!matrices.dofs.empty()) files.dofs = matrices.dofs;
   Mesh mesh;
   if (!matrices.coordinates.empty()) mesh = read_mesh(matrices.coordinates);
+  // A file of nodes without elements may leave some out.
+  if (!mesh.elements.empty())
+    for (const auto& [node, place] : mesh.nodes) files.nodes.insert(node);
   const StructuralMatrices structure = read_structure(files, constraints_of(scene, matrices, mesh));
   const auto found = std::make_shared<MatrixModes>();
   const Matrix rows = stop_rows(scene, structure, mesh);

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -15,31 +13,13 @@
 namespace graze {
 namespace {
 
-struct TorqueColumn {
-  const char* quantity;
-  std::vector<std::string> units;  // ways to write the one unit
-};
-
-const std::array<TorqueColumn, 2>& torque_columns() {
-  static const std::array<TorqueColumn, 2> columns = {
-      {{"time", {"s"}}, {"torque", {"N m", "Nm", "N*m"}}}};
-  return columns;
-}
-
 void check_columns(const DataTable& table) {
-  const auto& columns = torque_columns();
-  if (table.columns() != columns.size())
+  if (table.columns() != 2)
     throw table.error(
         fmt::format("the table has {} column{}, it must have two, time (s) and torque (N m)",
                     table.columns(), table.columns() == 1 ? "" : "s"));
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    const std::optional<std::string>& unit = table.column_unit(c);
-    const std::vector<std::string>& known = columns[c].units;
-    if (unit && std::find(known.begin(), known.end(), *unit) == known.end())
-      throw table.name_error(
-          c, fmt::format("{}: it is in {}, which is not converted; it must be the {} in {}",
-                         table.column_name(c), *unit, columns[c].quantity, known.front()));
-  }
+  table.check_unit(0, "s");
+  table.check_unit(1, "N m");
 }
 
 }  // namespace
@@ -75,8 +55,8 @@ TorqueTable read_torque_file(const std::filesystem::path& file) {
     throw table.error("the table has 1 row of numbers, it must have at least two");
   TorqueTable torque;
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    torque.times.push_back(table.number(row, 0));
-    torque.values.push_back(table.number(row, 1));
+    torque.times.push_back(table.number(row, 0, "s"));
+    torque.values.push_back(table.number(row, 1, "N m"));
   }
   if (const std::optional<TorqueFault> fault = torque_fault(torque)) {
     const std::size_t column = fault->of_times ? 0 : 1;
