@@ -131,9 +131,7 @@ Json page_view(const RunInfo& info, const Outcome& outcome,
   view["subtitle"] = info.scene_title;
   view["notes"] = notes;
   view["looks"] = page_looks();
-  std::string made = "graze";
-  for (const std::string& argument : info.arguments) made += " " + shell_word(argument);
-  view["made"] = made;
+  view["made"] = shell_command(info.arguments);
   return view;
 }
 
