@@ -97,7 +97,8 @@ struct SettlingOptions {
 
 // Work in pieces that a folder keeps.
 struct JournalOptions {
-  bool goes_on = false;  // --resume: with the pieces that are in the folder
+  bool goes_on = false;   // --resume: with the pieces that are in the folder
+  bool restarts = false;  // --restart-work: they may be thrown away
   Share share;
   BlockWorkers* workers = &own_threads();  // who does them; not null
 };

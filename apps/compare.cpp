@@ -36,6 +36,7 @@ void check_options(const CompareCommand& command) {
         "--sensitivity");
   if (!is_over_plane(command)) {
     for (const auto& [given, name] : {std::pair(command.journal.goes_on, "--resume"),
+                                      std::pair(command.journal.restarts, "--restart-work"),
                                       std::pair(!command.journal.share.is_all(), "--shard")})
       if (given) throw InputError(fmt::format("{}: it needs a plane; give --parameter too", name));
     return;
@@ -198,7 +199,7 @@ int compare_over_plane(const CompareCommand& command) {
   record.info.options.emplace_back("show", name_of(command.show));
   record.info.options.emplace_back("max_seconds", command.max_seconds);
   record.outcome = comparison_map_outcome(record.map);
-  return conclude(command, record, one);
+  return work.conclude(record, record.map.stopped, one);
 }
 
 }  // namespace

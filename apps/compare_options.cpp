@@ -114,7 +114,7 @@ void relate(CLI::App* app) {
     option(of_sensitivity)->needs(option("--sensitivity"));
   for (const char* of_others :
        {"--first", "--within", "--second-from", "--second-to", "--second-points", "--show",
-        "--last", "--periods", "--samples", "--resume", "--shard"})
+        "--last", "--periods", "--samples", "--resume", "--restart-work", "--shard"})
     option("--sensitivity")->excludes(option(of_others));
   option("--last")->excludes(option("--parameter"));
 }

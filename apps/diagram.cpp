@@ -126,7 +126,9 @@ int run(const DiagramCommand& command) {
   note_rest(command, record.branches.info);
   const std::optional<Outcome> traced = add_branches(command, family, tracing, record);
   record.branches.outcome = diagram_outcome(record.swept, traced);
-  return conclude(command, record, scene, [&] {
+  const bool swept = record.swept.stopped == StopReason::kNone;
+  const StopReason stopped = swept ? record.branches.traced.stopped : record.swept.stopped;
+  return work.conclude(record, stopped, scene, [&] {
     return NamedFiles{special_file(record.branches.info, {command.parameter},
                                    special_orbits(record.branches.traced, record.branches.system))};
   });

@@ -56,10 +56,12 @@ int run_diagram_of_runs(const DiagramCommand& command, const Scene& scene) {
   options.progress = progress_line(command, command.points, "values");
   record.runs = run_series(scene, options);
   options.progress = nullptr;
-  if (!work.is_whole_here()) return work.conclude_part(options.stop.reason());
+  const bool is_done = record.runs.size() == options.values.size();
+  const StopReason stopped = is_done ? StopReason::kNone : options.stop.reason();
+  if (!work.is_whole_here()) return work.conclude_part(stopped);
   noted.emplace_back("max_seconds", command.max_seconds);
-  record.outcome = run_diagram_outcome(record.runs, options.values.size(), options.stop.reason());
-  return conclude(command, record, scene);
+  record.outcome = run_diagram_outcome(record.runs, options.values.size(), stopped);
+  return work.conclude(record, stopped, scene);
 }
 
 }  // namespace graze

@@ -5,6 +5,7 @@
 #include "graze/base/errors.hpp"
 #include "graze/record/detail/share_record.hpp"
 #include "graze/report/json/json.hpp"
+#include "graze/report/text/detail/shell_word.hpp"
 #include "graze/report/text/text.hpp"
 #include "session.hpp"
 
@@ -35,7 +36,10 @@ std::optional<Journal> journal_of(const CommonOptions& command, const JournalOpt
   head.share = options.share;
   head.processor = processor_name();
   const std::filesystem::path file = journal_file(command.out, options.share);
-  if (!options.goes_on) return Journal::begin(file, head);
+  if (!options.goes_on)
+    return Journal::begin(
+        file, head,
+        options.restarts ? Journal::Unfinished::kReplaced : Journal::Unfinished::kRefused);
   Journal journal = Journal::resume(file, head);
   if (journal.head().processor != head.processor)
     warn(command, {fmt::format("{}: it was begun on another kind of processor ({}; here {}); last "
@@ -59,13 +63,29 @@ bool JournalledWork::is_whole_here() const {
   return options_.share.is_all() && !options_.workers->serves_another();
 }
 
-int JournalledWork::conclude_part(StopReason stopped) const {
+void JournalledWork::tell_how_to_go_on(StopReason stopped, Outcome& outcome) const {
+  if (stopped == StopReason::kNone || !journal_) return;
+  std::vector<std::string> words = command_.arguments;
+  std::erase(words, "--restart-work");
+  if (!options_.goes_on) words.emplace_back("--resume");
+  outcome.message += command_.caller ? "; the same call with 'resume' goes on"
+                                     : "; to go on: " + shell_command(words);
+}
+
+void JournalledWork::end(StopReason stopped) {
+  if (journal_ && stopped == StopReason::kNone) journal_->end();
+}
+
+int JournalledWork::conclude_part(StopReason stopped) {
   if (options_.workers->serves_another()) return 0;
-  const ShareRecord record = share_record(*journal_, stopped);
+  ShareRecord record = share_record(*journal_, stopped);
+  if (record.kept == record.due) stopped = StopReason::kNone;
+  tell_how_to_go_on(stopped, record.outcome);
+  end(stopped);
   // Its tables are those of the whole, which the journals make.
   CommonOptions printed = command_;
   printed.out.clear();
-  return conclude(printed, record.info, record.outcome, {json_of(record), text_of(record)});
+  return graze::conclude(printed, record.info, record.outcome, {json_of(record), text_of(record)});
 }
 
 }  // namespace graze

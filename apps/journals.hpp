@@ -3,11 +3,14 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "command.hpp"
 #include "graze/record/file/detail/journal.hpp"
+#include "session.hpp"
 
 namespace graze {
 
@@ -40,9 +43,22 @@ class JournalledWork {
   // After the pieces are done: whether all of them are here, to be concluded by the command.
   bool is_whole_here() const;
   // Otherwise: prints what the journal of a share holds, and returns the exit code.
-  int conclude_part(StopReason stopped) const;
+  int conclude_part(StopReason stopped);
+  // As graze::conclude. The journal ends with work that was not stopped; the outcome of work that
+  // was names the command that goes on.
+  template <class Record>
+  int conclude(Record& record, StopReason stopped, const Scene& scene,
+               std::function<NamedFiles()> files = {}) {
+    tell_how_to_go_on(stopped, outcome_of(record));
+    const int code = graze::conclude(command_, record, scene, std::move(files));
+    end(stopped);
+    return code;
+  }
 
  private:
+  void tell_how_to_go_on(StopReason stopped, Outcome& outcome) const;
+  void end(StopReason stopped);
+
   const CommonOptions& command_;
   const JournalOptions& options_;
   std::optional<Journal> journal_;

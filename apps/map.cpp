@@ -110,7 +110,8 @@ int run(const MapCommand& command) {
   record.info.options.emplace_back("max_seconds", command.max_seconds);
   record.outcome = map_outcome(record.map);
   if (loci) trace_over(command, scene, *loci, record);
-  return conclude(command, record, scene);
+  const bool stops_in_loci = record.loci && record.map.stopped == StopReason::kNone;
+  return work.conclude(record, stops_in_loci ? record.loci->stopped : record.map.stopped, scene);
 }
 
 }  // namespace graze

@@ -8,6 +8,7 @@
 
 #include "graze/base/errors.hpp"
 #include "journals.hpp"
+#include "run_folder.hpp"
 #include "session.hpp"
 
 namespace graze {
@@ -65,20 +66,6 @@ void warn_of_processors(const MergeCommand& command, const std::vector<Journal>&
                                processors.size())});
 }
 
-// The words of a command without these options, each of which has a value.
-std::vector<std::string> without(const std::vector<std::string>& words,
-                                 const std::set<std::string>& options) {
-  std::vector<std::string> kept;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const std::string name = words[i].substr(0, words[i].find('='));
-    if (!options.contains(name))
-      kept.push_back(words[i]);
-    else if (name == words[i])
-      ++i;
-  }
-  return kept;
-}
-
 // The command that the shares are of.
 Command command_of(const JournalHead& head) {
   std::vector<std::string> words = head.info.arguments;
@@ -97,7 +84,7 @@ int run_whole(Sharing whole, const MergeCommand& command, const std::vector<Jour
   JournalHead head = journals.front().head();
   CommonOptions common = command;
   common.name = whole.name;
-  common.arguments = without(whole.arguments, {"--shard", "--out"});
+  common.arguments = words_without(whole.arguments, {"--shard", "--out"});
   static_cast<CommonOptions&>(whole) = common;
   whole.scene_text = head.info.scene_text;
   whole.journal = JournalOptions{};

@@ -218,6 +218,9 @@ void add_journal(CLI::App* app, JournalOptions& options) {
   app->add_flag("--resume", options.goes_on,
                 "Go on with what an earlier run left in the folder of --out, whatever ended it; "
                 "what it finished is not done again");
+  app->add_flag("--restart-work", options.restarts,
+                "Throw away what unfinished work left in that folder, and begin anew")
+      ->excludes("--resume");
   app->add_option_function<std::string>(
          "--shard",
          [&options](const std::string& text) {

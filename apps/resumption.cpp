@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "graze/base/errors.hpp"
+#include "graze/report/text/detail/shell_word.hpp"
 #include "run_folder.hpp"
 
 namespace graze {
@@ -28,6 +29,20 @@ void check_end(const CutRun& cut, const SimulationOptions& options, const System
         fmt::format("{}: the end, t = {:.9g} s, lies before t = {:.9g} s, to which the "
                     "run went already; both count from t = 0",
                     options.duration ? "--duration" : "--periods", end, cut.time));
+}
+
+void tell_how_to_go_on(const SimulateCommand& command, RunOutcome ended, Outcome& outcome) {
+  const bool stopped = ended == RunOutcome::kInterrupted || ended == RunOutcome::kTimeBudget;
+  if (!stopped || command.out.empty() || command.caller) return;
+  std::vector<std::string> words = words_without(command.arguments, {"--resume", "--out"});
+  for (const char* option : {"--resume", "--out"}) {
+    words.emplace_back(option);
+    words.push_back(command.out);
+  }
+  // The tables of a run are those of its folder.
+  words.back().erase(words.back().find_last_not_of('/') + 1);
+  words.back() += "-on";
+  outcome.message += "; to go on: " + shell_command(words);
 }
 
 void place_samples(CutRun& cut, double rate, long long stride) {

@@ -4,6 +4,7 @@
 #include "command.hpp"
 #include "graze/record/file/detail/run_state.hpp"
 #include "graze/record/file/run_info.hpp"
+#include "graze/record/records.hpp"
 
 namespace graze {
 
@@ -13,6 +14,9 @@ CutRun read_cut_run(const SimulateCommand& command, const System& system, const 
 
 // Throws InputError where the run is past the end asked for; both count from t = 0.
 void check_end(const CutRun& cut, const SimulationOptions& options, const System& system);
+
+// Adds to the outcome of a run that was stopped and left its state the command that goes on.
+void tell_how_to_go_on(const SimulateCommand& command, RunOutcome ended, Outcome& outcome);
 
 // Sets which sample comes next, of `stride` for each that is kept: at the rate of before (1/s, of
 // those that are kept) the one after the last kept, at another the first whose time is not over.

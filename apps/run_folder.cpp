@@ -16,4 +16,17 @@ void refuse_own_folder(const CommonOptions& command, const std::filesystem::path
                   command.out, option));
 }
 
+std::vector<std::string> words_without(const std::vector<std::string>& words,
+                                       const std::set<std::string>& options) {
+  std::vector<std::string> kept;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string name = words[i].substr(0, words[i].find('='));
+    if (!options.contains(name))
+      kept.push_back(words[i]);
+    else if (name == words[i])
+      ++i;
+  }
+  return kept;
+}
+
 }  // namespace graze

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "command.hpp"
 
@@ -11,5 +14,9 @@ namespace graze {
 // it.
 void refuse_own_folder(const CommonOptions& command, const std::filesystem::path& folder,
                        const char* option);
+
+// The words of a command without these options, each of which has a value.
+std::vector<std::string> words_without(const std::vector<std::string>& words,
+                                       const std::set<std::string>& options);
 
 }  // namespace graze

@@ -4,8 +4,12 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <condition_variable>
 #include <cstdio>
 #include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
 
 #include "graze/base/detail/terminal_text.hpp"
 #include "graze/base/errors.hpp"
@@ -16,38 +20,63 @@
 namespace graze {
 namespace {
 
-// Called by one thread at a time.
+// Told by one thread at a time; renewed by one of its own, as a piece of work may take long.
 class ProgressLine {
  public:
   ProgressLine(std::string name, int count, std::string things)
-      : name_(std::move(name)), count_(count), things_(std::move(things)) {}
+      : name_(std::move(name)),
+        count_(count),
+        things_(std::move(things)),
+        renewing_([this] { renew(); }) {}
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine() {
+    {
+      const std::lock_guard lock(mutex_);
+      ended_ = true;
+    }
+    changed_.notify_one();
+    renewing_.join();
     if (shown_) std::fputs("\r\033[K", stderr);
   }
 
   void show(double fraction) {
     // Ten times a second is as often as a person reads.
     constexpr std::chrono::milliseconds kPause{100};
+    const std::lock_guard lock(mutex_);
     const auto now = Clock::now();
+    fraction_ = fraction;
     if (now - last_ < kPause) return;
-    last_ = now;
     // What an earlier run left is there at once and tells nothing of how fast this one is.
-    if (!shown_) first_ = fraction, first_time_ = now;
-    shown_ = true;
-    std::string text = fmt::format("\r{} {:3.0f} %", name_, 100.0 * fraction);
-    const double seconds = std::chrono::duration<double>(now - first_time_).count();
-    if (count_ > 0 && fraction > first_ && seconds > 1.0) {
-      const double rate = (fraction - first_) / seconds;
-      text += fmt::format(", {:.3g} {} a second, {} left", rate * count_, things_,
-                          duration_text((1.0 - fraction) / rate));
-    }
-    std::fputs((text + "\033[K").c_str(), stderr);
+    if (!first_) first_ = fraction, first_time_ = now;
+    print(now);
   }
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  void renew() {
+    constexpr std::chrono::seconds kPause{1};
+    std::unique_lock lock(mutex_);
+    while (!changed_.wait_for(lock, kPause, [&] { return ended_; }))
+      if (const auto now = Clock::now(); now - last_ >= kPause) print(now);
+  }
+
+  void print(Clock::time_point now) {
+    last_ = now;
+    shown_ = true;
+    std::string text = fmt::format("\r{} {:3.0f} %", name_, 100.0 * fraction_);
+    const double first = first_.value_or(0.0);
+    const double seconds = std::chrono::duration<double>(now - first_time_).count();
+    if (count_ > 0 && fraction_ > first && seconds > 1.0) {
+      const double rate = (fraction_ - first) / seconds;
+      text += fmt::format(", {:.3g} {} a second, {} left", rate * count_, things_,
+                          duration_text((1.0 - fraction_) / rate));
+    } else if (seconds > 1.0) {
+      text += fmt::format(", {} so far", duration_text(seconds));
+    }
+    std::fputs((text + "\033[K").c_str(), stderr);
+  }
 
   static std::string duration_text(double seconds) {
     if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
@@ -58,9 +87,13 @@ class ProgressLine {
   std::string name_;
   int count_;
   std::string things_;
-  Clock::time_point last_ = Clock::now(), first_time_;
-  double first_ = 0.0;
-  bool shown_ = false;
+  Clock::time_point last_ = Clock::now(), first_time_ = last_;
+  double fraction_ = 0.0;
+  std::optional<double> first_;
+  bool shown_ = false, ended_ = false;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::thread renewing_;  // the last: it uses the others
 };
 
 }  // namespace

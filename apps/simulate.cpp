@@ -308,6 +308,7 @@ int run(const SimulateCommand& command) {
   record.run = run_listened(record.system, plan.start, plan.cut, plan.options, plan.listened.rate,
                             command, output);
   record.outcome = simulation_outcome(record.run);
+  tell_how_to_go_on(command, record.run.outcome, record.outcome);
   for (const std::string& warning : simulation_warnings(record.system, record.run)) {
     record.warnings.push_back(warning);
     warn(command, {warning});

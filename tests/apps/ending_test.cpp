@@ -1,6 +1,9 @@
 // Whatever a command is at, it ends soon after it was asked to, with the exit code that says so.
 #include <gtest/gtest.h>
+#include <pty.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -56,6 +59,34 @@ TEST(Program, EveryCommandEndsWhenItsTimeIsUp) {
     const Finished run = run_graze(endless.arguments + " --max-seconds 0.2", kUntilItHangs);
     EXPECT_EQ(run.code, 3) << endless.name << ": " << run.err;
   }
+}
+
+// What a command writes on a terminal.
+std::string on_terminal(const std::string& arguments) {
+  int terminal = -1;
+  const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+  if (child == 0) {
+    const std::string line =
+        "exec " + kUntilItHangs + std::string(GRAZE_PROGRAM) + " " + arguments + " >/dev/null";
+    ::execl("/bin/sh", "sh", "-c", line.c_str(), static_cast<char*>(nullptr));
+    ::_exit(127);
+  }
+  std::string text(1 << 16, '\0');
+  std::size_t size = 0;
+  for (ssize_t some = 0; (some = ::read(terminal, text.data() + size, text.size() - size)) > 0;)
+    size += static_cast<std::size_t>(some);
+  ::close(terminal);
+  ::waitpid(child, nullptr, 0);
+  text.resize(size);
+  return text;
+}
+
+// No value is done in that time.
+TEST(Program, TellsThatItIsAtWorkWhereAPieceTakesLong) {
+  const std::string text =
+      on_terminal("diagram --max-seconds 1.4 --points 2 --threads 1 " + kSlowForcing + kGaps);
+  EXPECT_NE(text.find("diagram   0 %"), std::string::npos) << text;
+  EXPECT_NE(text.find(" so far"), std::string::npos) << text;
 }
 
 TEST(Program, EveryCommandEndsWhenAsked) {

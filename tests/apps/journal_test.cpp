@@ -105,6 +105,41 @@ TEST(Journal, CompleteFoldersAreShownAgainWithoutWork) {
   EXPECT_EQ(read_text(scratch / "run" / "rows.journal"), journal);
 }
 
+// The sentence that a stopped command ends with names the one that goes on, to the same bytes.
+TEST(Journal, OfUnfinishedWorkIsKept) {
+  for (const std::string& work : {kSweep, kMap, kBalls}) {
+    SCOPED_TRACE(work);
+    const ScratchFolder scratch;
+    const std::string folder = (scratch / "cut").string();
+    const std::string out = " --out " + folder;
+    ASSERT_EQ(run_graze(work + " --max-seconds 100 --out " + (scratch / "whole").string()).code, 0);
+    ASSERT_EQ(run_graze(work + out).code, 0);
+    std::string journal = read_text(folder + "/rows.journal");
+    journal.erase(journal.find('\n', journal.size() / 2) + 1);
+    std::ofstream(folder + "/rows.journal") << journal;
+    const Finished again = run_graze(work + out);
+    EXPECT_EQ(again.code, 2);
+    EXPECT_NE(again.err.find("--resume goes on with it, --restart-work throws it away"),
+              std::string::npos)
+        << again.err;
+    EXPECT_EQ(read_text(folder + "/rows.journal"), journal);
+    EXPECT_EQ(run_graze(work + out + " --resume --restart-work").code, 2);
+    const Finished other = run_graze(work + out + " --set stop.gap=0.0123");
+    EXPECT_EQ(other.code, 2);
+    EXPECT_NE(other.err.find("the scene"), std::string::npos) << other.err;
+    const Finished late = run_graze(work + out + " --resume --json --max-seconds 1e-9");
+    const std::string told = nlohmann::json::parse(late.out)["message"];
+    const std::size_t at = told.find("to go on: graze ");
+    ASSERT_NE(at, std::string::npos) << told;
+    std::string on = told.substr(at + 16);
+    on.replace(on.find("1e-9"), 4, "100");
+    ASSERT_EQ(run_graze(on).code, 0) << on;
+    EXPECT_EQ(read_text(folder + "/rows.journal").rfind(journal, 0), 0U);
+    expect_same(scratch, "whole", "cut");
+    EXPECT_EQ(run_graze(work + out).code, 0);
+  }
+}
+
 TEST(Journal, SaysWhatIsMissingOrOther) {
   const ScratchFolder scratch;
   const std::string out = " --out " + (scratch / "run").string();

@@ -1,6 +1,7 @@
 // graze map: what it prints, writes and draws, and how it ends.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -15,6 +16,11 @@ const std::string kBasins =
     "--set forcing.frequency=1.6 --set stop.gap=0.5 --set forcing.amplitude=0.5 "
     "--set 'initial.q=[0.0]' --parameter initial.q.1 --from -2 --to 0.8 --points 15 "
     "--second initial.qdot.1 --second-from -2 --second-to 2 --second-points 11 " +
+    scene("04_impact_oscillator.toml");
+
+const std::string kLargePlane =
+    "--parameter initial.q.1 --from -2 --to 0.8 --points 300 --second initial.qdot.1 "
+    "--second-from -2 --second-to 2 --second-points 300 --set forcing.frequency=1.6 " +
     scene("04_impact_oscillator.toml");
 
 TEST(MapCommand, HasEveryCell) {
@@ -47,6 +53,24 @@ TEST(MapCommand, HasEveryCell) {
   EXPECT_EQ(
       run_graze("map --json --threads 1 --plot " + (out / "m.svg").string() + " " + kBasins).out,
       run.out);
+}
+
+// A map of 90 000 cells that was stopped at once is no document of as many entries.
+TEST(MapCommand, DocumentOfUnfinishedWorkHoldsWhatIsDone) {
+  const ScratchFolder out;
+  const Finished run = run_graze("map --quiet --threads 1 --max-seconds 0.05 --out " +
+                                 (out / "run").string() + " " + kLargePlane);
+  ASSERT_EQ(run.code, 3) << run.err;
+  const json document = json::parse(read_text(out / "run" / "result.json"));
+  const json& cells = document["cells"];
+  ASSERT_LT(cells["index"].size(), 90'000U);
+  for (const char* key : {"status", "attractor", "impacts_per_period", "peak_speed", "stuck_part"})
+    EXPECT_EQ(cells[key].size(), cells["index"].size()) << key;
+  for (const json& status : cells["status"]) EXPECT_TRUE(status.is_string());
+  EXPECT_LT(std::filesystem::file_size(out / "run" / "record.json"),
+            400'000U + 400U * cells["index"].size());
+  const Finished view = run_graze("view --json " + (out / "run").string());
+  EXPECT_EQ(view.out, read_text(out / "run" / "result.json")) << view.err;
 }
 
 // The loci over a map are those that continue --locus traces over the same plane.

@@ -99,6 +99,21 @@ TEST(Resume, GoesOnAfterARunThatWasStopped) {
   }
 }
 
+TEST(Resume, IsNamedByARunThatWasStopped) {
+  const ScratchFolder scratch;
+  const std::string run = (scratch / "run").string();
+  const Finished cut = run_graze(
+      "simulate --json --duration 1e6 --record none --max-seconds 1e-3 "
+      "--set stop.restitution=0.9 --out " +
+      run + "/ " + kMomentum);
+  const std::string told = json::parse(cut.out)["message"];
+  EXPECT_NE(told.find("--resume " + run + "/ --out " + run + "-on"), std::string::npos) << told;
+  const std::size_t at = told.find("to go on: graze ");
+  ASSERT_NE(at, std::string::npos) << told;
+  EXPECT_EQ(run_graze(told.substr(at + 16)).code, 3);
+  EXPECT_TRUE(std::filesystem::exists(run + "-on/result.json"));
+}
+
 // Before its first arc is over the gap still departs from a zero of order four.
 TEST(Resume, GoesOnFromAStartThatBalances) {
   Runs runs(

@@ -40,6 +40,35 @@ TEST(JournalFile, HoldsWhatWasAdded) {
   EXPECT_EQ(missing_pieces(some_head(), {&journal}), (std::vector<std::size_t>{1, 2, 4}));
 }
 
+TEST(JournalFile, GivesUpFinishedPiecesOnlyWhereItMay) {
+  const ScratchFolder scratch;
+  const auto file = scratch / "j";
+  const auto begun = [&](Journal::Unfinished unfinished) {
+    try {
+      Journal::begin(file, some_head(), unfinished);
+      return std::string("begun");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  // Nothing is lost with a journal without pieces.
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(begun(Journal::Unfinished::kRefused), "begun");
+  Journal::resume(file, some_head()).add("row 3", "[1]");
+  const std::string unfinished = read_text(file);
+  const std::string refusal = begun(Journal::Unfinished::kRefused);
+  EXPECT_NE(refusal.find("1 of 5 rows are done; --resume"), std::string::npos) << refusal;
+  EXPECT_EQ(read_text(file), unfinished);
+  EXPECT_EQ(begun(Journal::Unfinished::kReplaced), "begun");
+  {
+    Journal journal = Journal::resume(file, some_head());
+    EXPECT_FALSE(journal.has("row 3"));
+    journal.add("row 3", "[1]");
+    journal.end();
+  }
+  EXPECT_EQ(Journal::open(file).names(), (std::vector<std::string>{"row 3"}));
+  EXPECT_EQ(begun(Journal::Unfinished::kRefused), "begun");
+}
+
 TEST(JournalFile, LosesNothingButTheLineThatWasCutOff) {
   const ScratchFolder scratch;
   const auto file = scratch / "j";

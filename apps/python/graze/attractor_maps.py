@@ -54,6 +54,7 @@ def map(
     period: int = 1,
     impacts: Optional[int] = None,
     resume: bool = False,
+    restart_work: bool = False,
     shard: Optional[str] = None,
     closure_speed: Optional[float] = None,
     max_impacts: int = 10000000,

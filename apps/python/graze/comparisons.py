@@ -67,6 +67,7 @@ def compare(
     periods: Optional[int] = None,
     samples: int = 100,
     resume: bool = False,
+    restart_work: bool = False,
     shard: Optional[str] = None,
     closure_speed: Optional[float] = None,
     max_impacts: int = 10000000,

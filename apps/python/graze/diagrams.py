@@ -62,6 +62,7 @@ def diagram(
     show: Optional[str] = None,
     at: Optional[str] = None,
     resume: bool = False,
+    restart_work: bool = False,
     shard: Optional[str] = None,
     closure_speed: Optional[float] = None,
     max_impacts: int = 10000000,

@@ -19,6 +19,7 @@ namespace graze {
 namespace {
 
 constexpr const char* kHead = "head";
+constexpr const char* kEnd = "end";
 constexpr std::size_t kChecksum = 8;  // hexadecimal digits
 constexpr std::size_t kChunk = 1 << 20;
 
@@ -41,6 +42,7 @@ Journal::Journal(Journal&& other) noexcept
       descriptor_(std::exchange(other.descriptor_, -1)),
       head_(std::move(other.head_)),
       has_head_(other.has_head_),
+      has_ended_(other.has_ended_),
       end_(other.end_),
       names_(std::move(other.names_)),
       places_(std::move(other.places_)) {}
@@ -65,13 +67,30 @@ Journal Journal::writable(const std::filesystem::path& file) {
   return journal;
 }
 
-Journal Journal::begin(const std::filesystem::path& file, const JournalHead& head) {
+Journal Journal::begin(const std::filesystem::path& file, const JournalHead& head,
+                       Unfinished unfinished) {
   Journal journal = writable(file);
+  journal.read();
+  if (unfinished == Unfinished::kRefused) journal.refuse_unfinished(head);
   journal.start(head);
   return journal;
 }
 
+void Journal::refuse_unfinished(const JournalHead& head) const {
+  if (!has_head_ || has_ended_ || names_.empty()) return;
+  require_sound(head_, file_.string());
+  require_same_work(head_, head, file_.string());
+  const std::size_t kept = head_.pieces - missing_pieces(head_, {this}).size();
+  throw InputError(
+      fmt::format("{}: the work in it is not finished, {} of {} {}s are done; --resume goes on "
+                  "with it, --restart-work throws it away",
+                  file_.string(), kept, head_.share.count(head_.pieces, head_.block), head_.piece));
+}
+
 void Journal::start(const JournalHead& head) {
+  names_.clear();
+  places_.clear();
+  has_ended_ = false;
   head_ = head;
   cut_off(0);
   write(line_of(kHead, head_text(head)));
@@ -135,7 +154,10 @@ void Journal::take_line(std::string_view line, std::size_t at) {
   if (at == 0) has_head_ = name == kHead && read_head(std::string(line.substr(tab + 1)), head_);
   if (!has_head_) return;
   end_ = at + line.size() + 1;
-  if (name != kHead) note(name, {at + tab + 1, line.size() - tab - 1});
+  if (name == kEnd)
+    has_ended_ = true;
+  else if (name != kHead)
+    note(name, {at + tab + 1, line.size() - tab - 1});
 }
 
 void Journal::note(const std::string& name, Place place) {
@@ -172,6 +194,12 @@ void Journal::add(const std::string& name, const std::string& text) {
   const std::size_t at = end_ + line.size() - 1 - text.size();
   write(line);
   note(name, {at, text.size()});
+}
+
+void Journal::end() {
+  const std::lock_guard lock(mutex_);
+  if (!has_ended_) write(line_of(kEnd, ""));
+  has_ended_ = true;
 }
 
 void Journal::write(const std::string& line) {

@@ -107,7 +107,7 @@ void require_same_work(const JournalHead& there, const JournalHead& head, const 
   const auto refuse = [&](const std::string& what, const std::string& was, const std::string& is) {
     throw InputError(
         fmt::format("{}: it belongs to other work: {} was {} there and is {} here; "
-                    "give another folder, or leave out --resume to begin anew",
+                    "give another folder, or --restart-work to throw that work away",
                     file, what, was, is));
   };
   const RunInfo &a = there.info, &b = head.info;

@@ -1,3 +1,6 @@
+#include <utility>
+#include <vector>
+
 #include "graze/report/json/detail/json_document.hpp"
 #include "graze/report/json/detail/json_plane.hpp"
 #include "graze/report/json/detail/json_value.hpp"
@@ -55,21 +58,23 @@ std::string to_json(const ComparisonMapRecord& record) {
   document["within"] = map.options.within;
   document["x"] = axis_json(map.options.x, record.x_unit);
   document["y"] = axis_json(map.options.y, record.y_unit);
-  Json one = Json::array(), other = Json::array();
-  for (const ComparedCell& cell : map.cells) {
-    one.push_back(cell.is_known ? Json(attractor_label(cell.one)) : Json(nullptr));
-    other.push_back(cell.is_known ? Json(attractor_label(cell.other)) : Json(nullptr));
+  const std::vector<const ComparedCell*> told = told_cells(map.cells, document);
+  Json& cells = document["cells"];
+  Json one = Json::array(), other = Json::array(), messages = Json::array();
+  for (const ComparedCell* cell : told) {
+    one.push_back(attractor_label(cell->one));
+    other.push_back(attractor_label(cell->other));
+    messages.push_back(cell->message.empty() ? Json(nullptr) : Json(cell->message));
   }
-  Json messages = Json::array();
-  for (const ComparedCell& cell : map.cells)
-    messages.push_back(cell.message.empty() ? Json(nullptr) : Json(cell.message));
-  document["cells"] = {{"one", one}, {"other", other}, {"message", messages}};
+  cells["one"] = std::move(one);
+  cells["other"] = std::move(other);
+  cells["message"] = std::move(messages);
   for (const ComparedQuantity quantity : kComparedQuantities) {
     Json values = Json::array();
-    for (const ComparedCell& cell : map.cells)
-      values.push_back(is_comparable(cell) ? quantity_json(cell.difference, quantity)
-                                           : Json(nullptr));
-    document["cells"][name_of(quantity)] = values;
+    for (const ComparedCell* cell : told)
+      values.push_back(is_comparable(*cell) ? quantity_json(cell->difference, quantity)
+                                            : Json(nullptr));
+    cells[name_of(quantity)] = std::move(values);
   }
   return document_text(std::move(document), record.info);
 }

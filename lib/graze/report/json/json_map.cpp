@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "graze/report/json/detail/json_amplitudes.hpp"
 #include "graze/report/json/detail/json_document.hpp"
@@ -25,8 +27,8 @@ Json attractor_json(const AttractorMap& map, std::size_t i) {
           {"first", Json::array({map.options.x_at(one.first), map.options.y_at(one.first)})}};
 }
 
-// Of every place the quantities that are shown there, a list of all cells each.
-Json measured_json(const MapRecord& record) {
+// Of every place the quantities that are shown there, a list of the cells each.
+Json measured_json(const MapRecord& record, const std::vector<const MapCell*>& cells) {
   Json list = Json::array();
   for (std::size_t i = 0; i < record.places.size(); ++i) {
     Json place = {{record.places[i].stop ? "stop" : "probe",
@@ -34,10 +36,10 @@ Json measured_json(const MapRecord& record) {
     for (const ShownQuantity quantity : kShownQuantities) {
       if (is_of_stop(quantity) && !record.places[i].stop) continue;
       Json values = Json::array();
-      for (const MapCell& cell : record.map.cells)
-        values.push_back(cell.amplitudes ? json_maybe(shown_value({quantity, i}, record.places,
-                                                                  *cell.amplitudes))
-                                         : Json(nullptr));
+      for (const MapCell* cell : cells)
+        values.push_back(cell->amplitudes ? json_maybe(shown_value({quantity, i}, record.places,
+                                                                   *cell->amplitudes))
+                                          : Json(nullptr));
       std::string key = name_of(quantity);
       std::replace(key.begin(), key.end(), '-', '_');
       place[key] = values;
@@ -60,22 +62,24 @@ std::string to_json(const MapRecord& record) {
     document["attractors"].push_back(attractor_json(map, i));
   Json status = Json::array(), attractor = Json::array(), impacts = Json::array(),
        speed = Json::array(), stuck = Json::array(), exponent = Json::array();
-  for (const MapCell& cell : map.cells) {
-    status.push_back(cell.is_known ? Json(name_of(cell.attractor.status)) : Json(nullptr));
-    attractor.push_back(cell.place >= 0 ? Json(cell.place + 1) : Json(nullptr));
-    impacts.push_back(json_number(cell_value(cell, MapQuantity::kImpacts)));
-    speed.push_back(json_number(cell_value(cell, MapQuantity::kSpeed)));
-    stuck.push_back(json_number(cell_value(cell, MapQuantity::kStuck)));
-    exponent.push_back(json_maybe(cell.exponent));
+  const std::vector<const MapCell*> told = told_cells(map.cells, document);
+  for (const MapCell* cell : told) {
+    status.push_back(name_of(cell->attractor.status));
+    attractor.push_back(cell->place >= 0 ? Json(cell->place + 1) : Json(nullptr));
+    impacts.push_back(json_number(cell_value(*cell, MapQuantity::kImpacts)));
+    speed.push_back(json_number(cell_value(*cell, MapQuantity::kSpeed)));
+    stuck.push_back(json_number(cell_value(*cell, MapQuantity::kStuck)));
+    exponent.push_back(json_maybe(cell->exponent));
   }
-  document["cells"] = {{"status", status},
-                       {"attractor", attractor},
-                       {"impacts_per_period", impacts},
-                       {"peak_speed", speed},
-                       {"stuck_part", stuck}};
-  if (map.options.exponent_periods > 0) document["cells"]["exponent"] = exponent;
+  Json& cells = document["cells"];
+  cells["status"] = std::move(status);
+  cells["attractor"] = std::move(attractor);
+  cells["impacts_per_period"] = std::move(impacts);
+  cells["peak_speed"] = std::move(speed);
+  cells["stuck_part"] = std::move(stuck);
+  if (map.options.exponent_periods > 0) cells["exponent"] = std::move(exponent);
   if (!record.places.empty()) {
-    document["cells"]["amplitudes"] = measured_json(record);
+    cells["amplitudes"] = measured_json(record, told);
     document["units"] = Json::object();
     add_amplitude_units(record.places, document["units"]);
   }

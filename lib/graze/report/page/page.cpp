@@ -134,9 +134,7 @@ Json page_view(const RunInfo& info, const Outcome& outcome,
       info.scene_title + (set.empty() || info.scene_title.empty() ? "" : " · ") + set;
   view["notes"] = notes;
   view["looks"] = page_looks();
-  std::string made = "graze";
-  for (const std::string& argument : info.arguments) made += " " + shell_word(argument);
-  view["made"] = made;
+  view["made"] = shell_command(info.arguments);
   return view;
 }
 

@@ -12,4 +12,10 @@ std::string shell_word(const std::string& word) {
   return quoted + "'";
 }
 
+std::string shell_command(const std::vector<std::string>& arguments) {
+  std::string text = "graze";
+  for (const std::string& argument : arguments) text += " " + shell_word(argument);
+  return text;
+}
+
 }  // namespace graze

@@ -44,6 +44,17 @@ void fields(Archive& archive, std::optional<T>& value) {
     archive(*value);
   }
 }
+// What was not run holds nothing.
+template <class Archive, class Cell>
+requires requires(Cell& cell) { cell.is_known; }
+void fields(Archive& archive, Cell& cell) {
+  if constexpr (Archive::kReads) {
+    if (!archive.has_more()) return;
+  } else if (!cell.is_known) {
+    return;
+  }
+  with_members(cell, [&](auto&... members) { (archive(members), ...); });
+}
 template <class Archive, class First, class Second>
 void fields(Archive& archive, std::pair<First, Second>& pair) {
   archive(pair.first), archive(pair.second);

@@ -21,8 +21,12 @@ namespace graze {
 
 class Journal : public PieceStore {
  public:
-  // Begins a journal in place of whatever stands there.
-  static Journal begin(const std::filesystem::path& file, const JournalHead& head);
+  // What may become of a journal of work that has not come to its end.
+  enum class Unfinished { kRefused, kReplaced };
+  // Begins a journal in place of what stands there. Throws InputError where finished pieces of
+  // unfinished work stand there, unless they may be replaced.
+  static Journal begin(const std::filesystem::path& file, const JournalHead& head,
+                       Unfinished unfinished = Unfinished::kRefused);
   // Goes on with the journal, or begins it where there is none. Throws InputError where it belongs
   // to other work than `head` says.
   static Journal resume(const std::filesystem::path& file, const JournalHead& head);
@@ -42,6 +46,8 @@ class Journal : public PieceStore {
   std::optional<std::string> find(const std::string& name) const override;
   bool has(const std::string& name) const override;
   void add(const std::string& name, const std::string& text) override;
+  // The work has come to its end: what stands here is in its result.
+  void end();
 
  private:
   struct Place {
@@ -52,6 +58,7 @@ class Journal : public PieceStore {
   // Locked against other runs.
   static Journal writable(const std::filesystem::path& file);
   void start(const JournalHead& head);
+  void refuse_unfinished(const JournalHead& head) const;
   void cut_off(std::size_t at);
   void read();
   void take_line(std::string_view line, std::size_t at);
@@ -62,7 +69,7 @@ class Journal : public PieceStore {
   std::filesystem::path file_;
   int descriptor_ = -1;
   JournalHead head_;
-  bool has_head_ = false;
+  bool has_head_ = false, has_ended_ = false;
   std::size_t end_ = 0;  // of the last whole line
   std::vector<std::string> names_;
   std::unordered_map<std::string, Place> places_;

@@ -40,7 +40,9 @@ auto& info_of(Record& record) {
     return record.branches.info;
 }
 template <class Record>
-const Outcome& outcome_of(const Record& record) {
+requires(
+    requires(Record& any) { any.outcome; } ||
+    requires(Record & any) { any.branches.outcome; }) auto& outcome_of(Record& record) {
   if constexpr (requires { record.outcome; })
     return record.outcome;
   else
