@@ -21,6 +21,10 @@ namespace graze::step_walk {
 // Roundings, of each coordinate's part, in a grip as the state tells it.
 inline constexpr double kGripRoundings = 8.0;
 
+// Errors of a step in what a sum of exponentials may round by: of 128 modes, each to some
+// roundings.
+inline constexpr double kModalErrors = 1024.0;
+
 class Sprung {
  public:
   using State = std::vector<double>;
@@ -61,6 +65,14 @@ class Sprung {
     Vector depth, rate;
   };
   Compression compression(std::size_t spring, const State& z) const;
+  // Of a spring at whose surface the structure rests, after so many steps: its depth, m, and what
+  // of it may be an error: each step errs by its tolerance and rounding in each entry of z, and
+  // sums of modes that go on from there by kModalErrors as much. Nothing depends on how late it is
+  // told: until then the spring presses as it does behind.
+  struct Left {
+    double depth = 0.0, error = 0.0;
+  };
+  Left left(std::size_t spring, const State& z, long long steps) const;
   // Force of a spring, N, and its rate, N/s; 0 where it is not loaded.
   std::size_t springs() const { return contacts_.size(); }
   double force(std::size_t spring, const State& z) const;
@@ -73,9 +85,12 @@ class Sprung {
   // of its quickest oscillation: between its ends a gap has hardly more than one minimum, which is
   // looked for.
   double longest_step() const { return longest_step_; }
-  // A step to begin with, s: a part of the contact that its error can be told on.
+  // A step to begin with, s: a part of the contact that its error can be told on; where nothing
+  // presses yet, of the structure's own motion.
   double first_step(double longest) const {
-    return contact_frequency_ > 0.0 ? std::fmin(longest, 0.1 / contact_frequency_) : longest;
+    if (contact_frequency_ > 0.0) return std::fmin(longest, 0.1 / contact_frequency_);
+    if (system_.turning || modes() == 0) return longest;
+    return std::fmin(longest, 0.1 / std::fmax(scale_.maxCoeff(), system_.frequency));
   }
 
   // What the right-hand side is made of, for those who expand it. Of a structure that turns these
@@ -142,6 +157,18 @@ inline Sprung::Compression Sprung::compression(std::size_t spring, const State& 
   return {contact.start + contact.depth.dot(moved), contact.rate.dot(velocity)};
 }
 
+inline Sprung::Left Sprung::left(std::size_t spring, const State& z, long long steps) const {
+  const Contact& contact = contacts_[spring];
+  const Eigen::Index n = modes();
+  const Eigen::Map<const Vector> moved(z.data(), n);
+  const double per_entry = tolerance_ * static_cast<double>(steps);
+  const double per_size = relative(tolerance_) * static_cast<double>(steps) +
+                          static_cast<double>(n) * std::numeric_limits<double>::epsilon();
+  const Vector weights = contact.depth.cwiseAbs();
+  return {contact.start + contact.depth.dot(moved),
+          kModalErrors * (per_entry * weights.sum() + per_size * weights.dot(moved.cwiseAbs()))};
+}
+
 inline Sprung::Compression Sprung::compression_rate(std::size_t spring, const State& slope) const {
   const Contact& contact = contacts_[spring];
   const Eigen::Index n = modes();
@@ -172,7 +199,8 @@ inline void Sprung::set_units(double theta, const Vector& velocity,
   longest_step_ = std::numeric_limits<double>::infinity();
   for (const SprungSystem::Spring& spring : system_.springs) {
     const double v = std::abs(spring.row.dot(velocity));
-    if (!spring.loaded && spring.law.damping == ContactDamping::kOnset && v > 0.0)
+    if (!spring.loaded && !spring.resting && spring.law.damping == ContactDamping::kOnset &&
+        v > 0.0)
       longest_step_ =
           std::fmin(longest_step_, spring.law.onset_depth / (2.0 * spring.law.onset_sharpness * v));
   }
@@ -248,8 +276,9 @@ inline void Sprung::operator()(const State& z, State& slope, double s) {
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const SprungSystem::Spring& spring = system_.springs[i];
     slope[place(kSprings + i)] = 0.0;
-    if (!spring.loaded) continue;
+    if (!spring.loaded && !spring.resting) continue;
     const Compression at = compression(i, z);
+    if (spring.resting && !(at.depth > 0.0)) continue;
     const double force = spring.law.at(at.depth, at.rate) / unit_;
     acceleration -= force * spring.acting;
     const double speed = at.rate / unit_;

@@ -54,8 +54,11 @@ class WalkingFlow final : public StepFlow {
       slopes_.clear();
       // What leaves a known zero rises; the sign of its rate may be rounding.
       for (const Watch* watch : watches)
-        slopes_.push_back(watch->multiplicity > 0 ? 0.0 : walk_.rates.rate(*watch, 0.0, start_));
+        slopes_.push_back(watch->multiplicity > 0 || watch->sure > 0.0 || rests(*watch)
+                              ? 0.0
+                              : walk_.rates.rate(*watch, 0.0, start_));
     }
+    [[maybe_unused]] long long steps = 0;
     for (double from = 0.0; from < std::min(window, until) && found.watch < 0;) {
       walk_.step();
       if (++polls_ % kStepsPerPoll == 0 && stop.requested()) {
@@ -67,7 +70,13 @@ class WalkingFlow final : public StepFlow {
       if (end < walk_.to()) walk_.between(end, last_);
       const State& x = end < walk_.to() ? last_ : walk_.state_at_end();
       found.values += static_cast<long long>(watches.size());
+      if constexpr (kSprung)
+        if (leaves_rest(watches, x, ++steps, found)) {
+          found.s = end;
+          return found;
+        }
       for (std::size_t i = 0; i < watches.size(); ++i) {
+        if (rests(*watches[i]) || end <= watches[i]->sure) continue;
         const double there = walk_.rates.observed(*watches[i], end, x);
         if (!std::isfinite(there)) return not_finite(found, from);
         if (end <= until && watches[i]->is_told) found.lowest = std::min(found.lowest, there);
@@ -76,14 +85,17 @@ class WalkingFlow final : public StepFlow {
           const double slope = walk_.rates.rate(*watches[i], end, x);
           const std::optional<double> dip =
               there > 0.0 && slopes_[i] < 0.0 && slope > 0.0
-                  ? dip_between(*watches[i], from, end, slope, until, found)
+                  ? dip_between(*watches[i], std::max(from, watches[i]->sure), end, slope, until,
+                                found)
                   : std::nullopt;
           slopes_[i] = slope;
           if (there > 0.0 && !dip) continue;
-          zero = dip ? *dip : locate(*watches[i], from, end, there, found.values);
+          zero =
+              dip ? *dip
+                  : locate(*watches[i], std::max(from, watches[i]->sure), end, there, found.values);
         } else {
           if (there > 0.0) continue;
-          zero = locate(*watches[i], from, end, there, found.values);
+          zero = locate(*watches[i], std::max(from, watches[i]->sure), end, there, found.values);
         }
         if (found.watch >= 0 && !(zero < found.s)) continue;
         found.watch = static_cast<int>(i);
@@ -224,6 +236,24 @@ class WalkingFlow final : public StepFlow {
     if (least <= until && watch.is_told) found.lowest = std::min(found.lowest, value);
     if (value > 0.0) return {};
     return locate(watch, from, least, value, found.values);
+  }
+
+  static bool rests(const Watch& watch) { return watch.of_spring == SpringWatch::kRest; }
+
+  // Whether a spring's depth, which started at zero, differs from it for certain; else what it does
+  // makes no difference yet.
+  bool leaves_rest(std::span<const Watch* const> watches, const State& x, long long steps,
+                   StepDescent& found) const {
+    for (std::size_t i = 0; i < watches.size(); ++i) {
+      if (!rests(*watches[i])) continue;
+      const auto [depth, error] =
+          walk_.rates.left(static_cast<std::size_t>(watches[i]->spring), x, steps);
+      if (!(std::abs(depth) > error)) continue;
+      found.watch = static_cast<int>(i);
+      found.beyond = depth > 0.0;
+      return true;
+    }
+    return false;
   }
 
   // The last place that is known.
