@@ -88,10 +88,10 @@ inline State integrated_chain(const Chain& chain, double tolerance = 1e-13) {
   return {z.head(n), z.tail(n)};
 }
 
-// 2 to 20 bodies in a row that touch, at a wall or not, on springs of their own or free, one of
-// them struck.
-inline Chain touching_chain(Dice& dice) {
-  const auto bodies = static_cast<Eigen::Index>(2 + dice.uniform(0.0, 19.0));
+// From 2 to so many bodies in a row that touch, at a wall or not, on springs of their own or free,
+// one of them struck.
+inline Chain touching_chain(Dice& dice, int most) {
+  const auto bodies = static_cast<Eigen::Index>(2 + dice.pick(most - 1));
   const bool bound = dice.uniform(0.0, 1.0) < 0.3, wall = dice.uniform(0.0, 1.0) < 0.5;
   Chain chain{{Vector::Zero(bodies), NaturalModes{Vector::Zero(bodies)}, {}},
               {Vector::Zero(bodies), Vector::Zero(bodies)},

@@ -19,16 +19,15 @@ bool is_preloaded(const System& system) {
                      [](const Stop& stop) { return stop.gap < 0.0; });
 }
 
-// What a mode of frequency 0 is held by, (rad/s)^2: nothing but its stops, of which a part of the
-// stiffness that they are preloaded with stands in for its own; 0 for all others.
+// What a mode of frequency 0 is held by, (rad/s)^2: nothing but its stops, of which the stiffness
+// that they are preloaded with stands in for its own; 0 for all others.
 Vector lent_stiffness(const System& system) {
-  constexpr double kPart = 1e-3;
   Vector lent = Vector::Zero(system.modes());
   for (const Stop& stop : system.stops) {
     if (!stop.is_compliant() || !(stop.gap < 0.0)) continue;
     const double stiffness = stop.force().by_depth(-stop.gap, 0.0);
     for (Eigen::Index j = 0; j < lent.size(); ++j)
-      if (!(system.omega[j] > 0.0)) lent[j] += kPart * stiffness * stop.row[j] * stop.row[j];
+      if (!(system.omega[j] > 0.0)) lent[j] += stiffness * stop.row[j] * stop.row[j];
   }
   return lent;
 }
@@ -121,10 +120,11 @@ bool hold_free_modes(const System& system, const Vector& lent, const Pressed& at
   return PivotedLu<double>(rows * rows.transpose()).is_invertible();
 }
 
-// What is lent takes no force once the structure is pulled to where it lies: each round leaves of
-// the way the part that is lent of the stiffness there, so a few are enough.
+// What is lent takes no force once the structure is pulled to where it lies: each round halves the
+// way, more or less, as half of the stiffness is lent. Forces are known to some roundings.
 std::optional<Balance> balance_of_free_modes(const System& system, const Vector& lent, Vector q) {
-  constexpr int kMostRounds = 100;
+  constexpr int kMostRounds = 200;
+  constexpr double kRoundings = 16.0;
   for (int round = 0; round < kMostRounds; ++round) {
     const Pressed at = pressed_against(system, lent, q);
     const std::optional<Vector> force = static_forces(system, at);
@@ -132,7 +132,7 @@ std::optional<Balance> balance_of_free_modes(const System& system, const Vector&
     const Vector next = at.free - at.compliance.cwiseProduct(at.directions * *force);
     const Vector moved = at.rows.transpose() * (next - q);
     q = next;
-    if ((moved.cwiseAbs().array() <= at.rounding.array()).all() && q.allFinite()) {
+    if ((moved.cwiseAbs().array() <= kRoundings * at.rounding.array()).all() && q.allFinite()) {
       if (!hold_free_modes(system, lent, at, *force)) return {};
       return Balance{q, *force};
     }
