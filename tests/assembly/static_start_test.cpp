@@ -1,5 +1,6 @@
 // Preloaded compliant stops (negative gap) start in static equilibrium. Expected: closed forms, and
 // equilibria made backwards, from the depths to the gaps that have them.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -147,6 +148,24 @@ TEST(StaticStart, StaysAtRest) {
     EXPECT_LT((run.final.q - start.q).norm(), 1e-9 * start.q.norm());
     EXPECT_LT(run.final.qdot.norm(), 1e-9 * start.q.norm() * system.omega[0]);
   }
+}
+
+// A free body between two preloaded springs: k1 (g1 + x) = k2 (g2 - x); of Hertz's law with equal
+// stiffnesses g1 + x = g2 - x.
+TEST(StaticStart, OfAFreeBodyClaspedByTwoSprings) {
+  const auto start_of = [](double k1, double g1, double k2, double g2, double exponent) {
+    const Scene scene = parse_scene(
+        fmt::format("[modal]\nfrequencies = [0.0]\n[[stop]]\nshape = [1.0]\ngap = {}\n"
+                    "[stop.spring]\nstiffness = {}\nexponent = {}\n[[stop]]\nshape = [1.0]\n"
+                    "gap = {}\nside = \"below\"\n[stop.spring]\nstiffness = {}\nexponent = {}\n",
+                    -g1, k1, exponent, -g2, k2, exponent),
+        "clasped.toml");
+    return initial_state(scene, assemble(scene)).q[0];
+  };
+  EXPECT_EQ(start_of(1000.0, 0.01, 1000.0, 0.01, 1.0), 0.0);
+  EXPECT_NEAR(start_of(1000.0, 0.02, 3000.0, 0.01, 1.0), 10.0 / 4000.0, 2e-16);
+  EXPECT_NEAR(start_of(1000.0, 0.0, 3000.0, 0.01, 1.0), 30.0 / 4000.0, 2e-16);
+  EXPECT_NEAR(start_of(1e6, 0.03, 1e6, 0.01, 1.5), -0.01, 2e-16);
 }
 
 TEST(StaticStart, OfAFreeBodyThereIsNone) {

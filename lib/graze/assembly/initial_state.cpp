@@ -19,6 +19,19 @@ bool is_preloaded(const System& system) {
                      [](const Stop& stop) { return stop.gap < 0.0; });
 }
 
+// What a mode of frequency 0 is held by, (rad/s)^2: nothing but its stops, of which the stiffness
+// that they are preloaded with stands in for its own; 0 for all others.
+Vector lent_stiffness(const System& system) {
+  Vector lent = Vector::Zero(system.modes());
+  for (const Stop& stop : system.stops) {
+    if (!stop.is_compliant() || !(stop.gap < 0.0)) continue;
+    const double stiffness = stop.force().by_depth(-stop.gap, 0.0);
+    for (Eigen::Index j = 0; j < lent.size(); ++j)
+      if (!(system.omega[j] > 0.0)) lent[j] += stiffness * stop.row[j] * stop.row[j];
+  }
+  return lent;
+}
+
 // The structure pressed by forces at its stops, as far as they are concerned: a unit force at one
 // moves it off the others by `delassus`; without any it lies `beyond` them.
 struct Pressed {
@@ -28,9 +41,10 @@ struct Pressed {
   Vector beyond, rounding;
 };
 
-Pressed pressed_against(const System& system) {
+// Its lent stiffness pulls it to `rest`.
+Pressed pressed_against(const System& system, const Vector& lent, const Vector& rest) {
   const Eigen::Index n = system.modes(), k = static_cast<Eigen::Index>(system.stops.size());
-  Pressed at{system.omega.cwiseAbs2().cwiseInverse(),
+  Pressed at{(system.omega.cwiseAbs2() + lent).cwiseInverse(),
              Vector::Zero(n),
              Matrix(n, k),
              Matrix(n, k),
@@ -38,6 +52,7 @@ Pressed pressed_against(const System& system) {
              Vector(k),
              Vector(k)};
   if (system.load()) at.free = at.compliance.cwiseProduct(*system.load());
+  at.free += at.compliance.cwiseProduct(lent).cwiseProduct(rest);
   for (Eigen::Index i = 0; i < k; ++i) {
     const Stop& stop = system.stops[static_cast<std::size_t>(i)];
     at.rows.col(i) = stop.row;
@@ -85,15 +100,62 @@ std::optional<Vector> static_forces(const System& system, const Pressed& at) {
   return {};
 }
 
+struct Balance {
+  Vector q, force;
+};
+
+// Whether the stops that press, by more than rounding, leave no mode of frequency 0 free.
+bool hold_free_modes(const System& system, const Vector& lent, const Pressed& at,
+                     const Vector& force) {
+  std::vector<Eigen::Index> free, pressed;
+  for (Eigen::Index j = 0; j < lent.size(); ++j)
+    if (lent[j] > 0.0) free.push_back(j);
+  for (Eigen::Index i = 0; i < force.size(); ++i) {
+    const double preload = std::max(-system.stops[static_cast<std::size_t>(i)].gap, 0.0);
+    if (force[i] * at.delassus(i, i) > std::sqrt(std::numeric_limits<double>::epsilon()) * preload)
+      pressed.push_back(i);
+  }
+  if (pressed.size() < free.size()) return false;
+  const Matrix rows = at.rows(free, pressed);
+  return PivotedLu<double>(rows * rows.transpose()).is_invertible();
+}
+
+// What is lent takes no force once the structure is pulled to where it lies: each round halves the
+// way, more or less, as half of the stiffness is lent. Forces are known to some roundings.
+std::optional<Balance> balance_of_free_modes(const System& system, const Vector& lent, Vector q) {
+  constexpr int kMostRounds = 200;
+  constexpr double kRoundings = 16.0;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const Pressed at = pressed_against(system, lent, q);
+    const std::optional<Vector> force = static_forces(system, at);
+    if (!force) return {};
+    const Vector next = at.free - at.compliance.cwiseProduct(at.directions * *force);
+    const Vector moved = at.rows.transpose() * (next - q);
+    q = next;
+    if ((moved.cwiseAbs().array() <= kRoundings * at.rounding.array()).all() && q.allFinite()) {
+      if (!hold_free_modes(system, lent, at, *force)) return {};
+      return Balance{q, *force};
+    }
+  }
+  return {};
+}
+
 // Rest under the constant load with every stop's force >= 0 and gap >= 0, or its spring's force:
 //   q = W^-1 (load - D lambda),   lambda >= 0,   b.q <= a,   lambda (a - b.q) = 0,
 //   at a spring lambda = F(b.q - a).
 std::optional<Vector> static_equilibrium(const System& system) {
-  if (system.omega.minCoeff() <= 0.0) return {};
-  const Pressed at = pressed_against(system);
-  const std::optional<Vector> force = static_forces(system, at);
+  const Vector lent = lent_stiffness(system);
+  if ((system.omega + lent).minCoeff() <= 0.0) return {};
+  Pressed at = pressed_against(system, lent, Vector::Zero(system.modes()));
+  std::optional<Vector> force = static_forces(system, at);
   if (!force) return {};
   Vector q = at.free - at.compliance.cwiseProduct(at.directions * *force);
+  if (!lent.isZero(0.0)) {
+    std::optional<Balance> balance = balance_of_free_modes(system, lent, q);
+    if (!balance) return {};
+    q = std::move(balance->q);
+    force = std::move(balance->force);
+  }
   // What is pressed is on its rigid stop to the rounding of the gap itself, not only to that of the
   // solution.
   std::vector<Eigen::Index> pressed;
@@ -142,9 +204,9 @@ State initial_state(const Scene& scene, const System& system) {
     if (!q)
       throw scene_error(scene, "stop.gap",
                         "a preloaded stop (negative gap) without [initial] starts in static "
-                        "equilibrium, which this structure does not have (a mode of frequency 0, "
-                        "or stops that contradict each other); give [initial] a state clear of "
-                        "the stops");
+                        "equilibrium, which this structure does not have (a mode of frequency 0 "
+                        "that its preloads do not hold from both sides, or stops that contradict "
+                        "each other); say where it starts in [initial]");
     state.q = *q;
   }
   for (std::size_t i = 0; i < system.stops.size(); ++i) {

@@ -70,7 +70,7 @@ void FlightSearch::decide(const GapCurves& curves, Watched& watched, double unti
   const FirstZero<double> zero =
       watched.clear > 0.0 ? first_descent([&](double s) { return curve.at(s, 0, Reach::kStep); },
                                           watched.clear, until, flight.stop)
-                          : first_contact(curve, watched.multiplicity, flight.stop);
+                          : first_contact(curve, watched.multiplicity, 0.0, flight.stop);
   arrival.evaluations += zero.evaluations;
   watched.clear = until;
   if (zero.kind == ZeroKind::kNone) return;
@@ -91,7 +91,7 @@ Arrival<double> FlightSearch::first_event(const GapCurves& curves, const Arc<dou
   for (const int i : flight.order) {
     const auto place = static_cast<std::size_t>(i);
     if (now.contacts[place] == Contact::kLocked) continue;
-    watched_.push_back({i, now.multiplicities[place]});
+    watched_.push_back({i, now.multiplicities[place], flight.sure_of(i)});
   }
   q_ = arc.start_displacements();
   qdot_ = arc.start_velocities();

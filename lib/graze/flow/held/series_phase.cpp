@@ -206,12 +206,16 @@ std::optional<SeriesPhase::Met> SeriesPhase::first_met(const std::vector<Watched
     const MotionSeries& series = about(step);
     ++expansions;
     const double longest = series.step(kMotionLeftOut) * series.unit();
-    const bool last = longest >= window - step.from;
-    const double end = last ? window - step.from : longest;
+    double end = std::min(longest, window - step.from);
+    for (const Watched& watched : list)
+      if (watched.sure > step.from) end = std::min(end, watched.sure - step.from);
+    const bool last = end >= window - step.from;
     double tau = end / series.unit();
     std::optional<Met> met;
     for (const Watched& watched : list)
-      if (const std::optional<Met> found = met_by(watched, tau, steps.size() == 1)) {
+      if (watched.sure > step.from) {
+        continue;
+      } else if (const std::optional<Met> found = met_by(watched, tau, steps.size() == 1)) {
         met = found;
         tau = found->s;
       }
@@ -237,7 +241,7 @@ Arrival<double> SeriesPhase::first_event(const MotionState<double>& now,
     const auto place = static_cast<std::size_t>(i);
     const Contact at = now.contacts[place];
     if (at == Contact::kLocked) continue;
-    list.push_back({i, now.multiplicities[place], at == Contact::kClosed});
+    list.push_back({i, now.multiplicities[place], at == Contact::kClosed, flight.sure_of(i)});
   }
   Arrival<double> arrival;
   steps_.resize(1);

@@ -13,18 +13,11 @@ bool is_linear(const ContactForce& law) {
          (law.damping == ContactDamping::kNone || law.damping == ContactDamping::kConstant);
 }
 
-// The stops of the springs, loaded first.
-std::vector<int> stops_of(const PhaseKey& key) {
-  std::vector<int> stops = key.springs.loaded;
-  stops.insert(stops.end(), key.springs.parted.begin(), key.springs.parted.end());
-  return stops;
-}
-
 // Depths on the coordinates that closed stops leave free.
 std::vector<Observable<double>> depths_of(const System& system, const PhaseKey& key,
                                           const SprungEquations& given) {
   std::vector<Observable<double>> depths;
-  const std::vector<int> stops = stops_of(key);
+  const std::vector<int> stops = key.springs.all();
   for (std::size_t k = 0; k < stops.size(); ++k) {
     const Stop& stop = system.stops[static_cast<std::size_t>(stops[k])];
     const double held = given.structure.is_free() ? 0.0 : stop.row.dot(given.structure.rest);
@@ -85,7 +78,8 @@ bool suits_linear_springs(const System& system, const PhaseKey& key) {
   if (system.modes() > kMostModesOnLinearSprings) return false;
   // A structure that its stops hold altogether has nothing that moves.
   if (static_cast<int>(key.closed.size()) >= system.modes()) return false;
-  const std::vector<int> stops = stops_of(key);
+  if (!key.springs.resting.empty()) return false;
+  const std::vector<int> stops = key.springs.all();
   return std::all_of(stops.begin(), stops.end(), [&](int i) {
     return is_linear(system.stops[static_cast<std::size_t>(i)].force());
   });
@@ -99,8 +93,9 @@ LinearSpringPhase::LinearSpringPhase(const System& system, const PhaseKey& key,
     : CoupledPhase(key, given.structure, observables_of(system, key, given),
                    coupled_by_springs(key, given)),
       equations_(given.system),
-      stops_(stops_of(key)),
+      stops_(key.springs.all()),
       spring_arc_{this->key(), structure(), equations_, depths_, depths_of(system, key, given)} {
+  for (const Stop& stop : system.stops) stop_rows_.push_back(stop.row);
   for (const int i : stops_) {
     rows_.push_back(system.stops[static_cast<std::size_t>(i)].row);
     gaps_.push_back(system.stops[static_cast<std::size_t>(i)].gap);
@@ -142,6 +137,14 @@ Vector LinearSpringPhase::load_at(const Vector& y) const {
   return load;
 }
 
+CurvePoint<double> LinearSpringPhase::gap_rate(int stop, int order) const {
+  CurvePoint<double> point =
+      forces_at_start(structure(), equations_, depths_, theta_, q_, qdot_)
+          .gap_rate(stop_rows_[static_cast<std::size_t>(stop)], qdot_, order);
+  if (order == 3) point.slope = ExactPhase::gap_rate(stop, order).slope;
+  return point;
+}
+
 Arrival<double> LinearSpringPhase::first_event(const MotionState<double>& now,
                                                const Flight<double>& flight) {
   if (const int k = left_at_once(rows_, depths_, qdot_); k >= 0) {
@@ -156,21 +159,24 @@ Arrival<double> LinearSpringPhase::first_event(const MotionState<double>& now,
   return arrival;
 }
 
-// The depth begins at zero where the spring has just been entered: at a speed, or pushed. Its force
-// does where it has just come back, or was entered at rest.
+// The depth begins at zero where the spring has just been entered: at a speed, or from rest as a
+// power of time; its force does as the power below. Beyond the surface the force begins at zero
+// where it has just come back.
 void LinearSpringPhase::look_at_spring(std::size_t k, const MotionState<double>& now,
                                        const Flight<double>& flight,
                                        Arrival<double>& arrival) const {
   const SprungSystem::Spring& spring = equations_.springs[k];
   const int stop = stops_[k];
   const bool from_surface = depths_[k] == 0.0;
+  const int known = now.multiplicities[static_cast<std::size_t>(stop)];
   const int depth_leaves =
-      from_surface ? depth_multiplicity(rows_[k], qdot_, -gap_rate(stop, 2).value) : 0;
+      from_surface ? depth_multiplicity(*this, stop, known, rows_[k], qdot_) : 0;
   const auto look = [&](const Observable<double>& observable, int multiplicity, ArrivalKind kind,
                         bool below) {
     ArcCurve<double> curve;
     curve = coupled_arc()->curve(observable, arrival.flight, multiplicity > 0);
-    const FirstZero<double> zero = first_contact(curve, multiplicity, flight.stop);
+    const FirstZero<double> zero =
+        first_contact(curve, multiplicity, flight.sure_of(stop), flight.stop);
     arrival.evaluations += zero.evaluations;
     if (zero.kind == ZeroKind::kNone) return;
     arrival.stop = stop;
@@ -189,8 +195,7 @@ void LinearSpringPhase::look_at_spring(std::size_t k, const MotionState<double>&
     grip.displacement = -grip.displacement;
     grip.velocity = -grip.velocity;
   }
-  const bool from_rest = from_surface && depth_leaves > 1;
-  look(grip, from_rest ? 1 : now.multiplicities[static_cast<std::size_t>(stop)],
+  look(grip, from_surface ? depth_leaves - 1 : known,
        spring.loaded ? ArrivalKind::kSeparation : ArrivalKind::kEntry, true);
 }
 

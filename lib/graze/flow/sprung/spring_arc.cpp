@@ -1,5 +1,6 @@
 #include "graze/flow/sprung/detail/spring_arc.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "graze/system/detail/gap_value.hpp"
@@ -60,21 +61,97 @@ SprungEquations sprung_equations(const System& system, const PhaseKey& key) {
 
 void add_springs(const System& system, const PhaseKey& key,
                  const ConstrainedStructure<double>& structure, SprungSystem& equations) {
-  const auto add = [&](const std::vector<int>& stops, bool loaded) {
+  const auto add = [&](const std::vector<int>& stops, bool loaded, bool resting) {
     for (const int i : stops) {
       const Stop& stop = system.stops[static_cast<std::size_t>(i)];
       const Vector row = left_of_row(structure, stop.row);
       const Vector acting = structure.left.size() > 0 ? Vector(structure.left * stop.row) : row;
-      equations.springs.push_back({stop.force(), row, acting, loaded, stop.row});
+      equations.springs.push_back({stop.force(), row, acting, loaded, stop.row, resting});
     }
   };
-  add(key.springs.loaded, true);
-  add(key.springs.parted, false);
+  add(key.springs.loaded, true, false);
+  add(key.springs.parted, false, false);
+  add(key.springs.resting, false, true);
 }
 
-int depth_multiplicity(const Vector& row, const Vector& qdot, double push) {
+Vector spring_push(const SprungSystem& equations, const std::vector<double>& depths,
+                   const Vector& qdot) {
+  Vector push = Vector::Zero(qdot.size());
+  for (std::size_t k = 0; k < depths.size(); ++k) {
+    const SprungSystem::Spring& spring = equations.springs[k];
+    if (spring.loaded)
+      push += spring.law.at(depths[k], spring.whole_row.dot(qdot)) * spring.whole_row;
+  }
+  return push;
+}
+
+Vector spring_push_rate(const SprungSystem& equations, const std::vector<double>& depths,
+                        const Vector& qdot, const Vector& acceleration) {
+  Vector push = Vector::Zero(qdot.size());
+  for (std::size_t k = 0; k < depths.size(); ++k) {
+    const SprungSystem::Spring& spring = equations.springs[k];
+    if (!spring.loaded) continue;
+    const double rate = spring.whole_row.dot(qdot);
+    push += (spring.law.by_depth(depths[k], rate) * rate +
+             spring.law.resistance(depths[k]) * spring.whole_row.dot(acceleration)) *
+            spring.whole_row;
+  }
+  return push;
+}
+
+ForcesAtStart forces_at_start(const ConstrainedStructure<double>& structure,
+                              const SprungSystem& equations, const std::vector<double>& depths,
+                              double theta, const Vector& q, const Vector& qdot) {
+  const LinearSystem<double>& free = structure.whole;
+  const Vector stiffness = free.omega.cwiseAbs2();
+  // What closed stops leave of an acceleration.
+  const auto held_back = [&](const Vector& acceleration) -> Vector {
+    if (structure.is_free()) return acceleration;
+    return acceleration - structure.directions * (structure.shares.transpose() * acceleration);
+  };
+  const Vector push = spring_push(equations, depths, qdot);
+  ForcesAtStart at;
+  at.force = -2.0 * free.delta.cwiseProduct(qdot) - stiffness.cwiseProduct(q) - push;
+  at.size = 2.0 * free.delta.cwiseProduct(qdot.cwiseAbs()) + stiffness.cwiseProduct(q.cwiseAbs()) +
+            push.cwiseAbs();
+  if (free.load.size() > 0) {
+    at.force += free.load;
+    at.size += free.load.cwiseAbs();
+  }
+  if (free.forced) {
+    at.force += free.amplitude * std::cos(theta);
+    at.size += free.amplitude.cwiseAbs();
+  }
+  at.acceleration = held_back(at.force);
+  const Vector push_rate = spring_push_rate(equations, depths, qdot, at.acceleration);
+  at.force_rate =
+      -2.0 * free.delta.cwiseProduct(at.acceleration) - stiffness.cwiseProduct(qdot) - push_rate;
+  at.rate_size = 2.0 * free.delta.cwiseProduct(at.acceleration.cwiseAbs()) +
+                 stiffness.cwiseProduct(qdot.cwiseAbs()) + push_rate.cwiseAbs();
+  if (free.forced) {
+    at.force_rate -= free.frequency * std::sin(theta) * free.amplitude;
+    at.rate_size += free.frequency * free.amplitude.cwiseAbs();
+  }
+  at.jerk = held_back(at.force_rate);
+  return at;
+}
+
+CurvePoint<double> ForcesAtStart::gap_rate(const Vector& row, const Vector& qdot, int order) const {
+  const double rates[] = {-row.dot(qdot), -row.dot(acceleration), -row.dot(jerk)};
+  const Vector sizes[] = {qdot.cwiseAbs(), size, rate_size};
+  CurvePoint<double> point;
+  point.value = rates[order - 1];
+  if (order < 3) point.slope = rates[order];
+  point.noise = kForceRoundings * row.cwiseAbs().dot(sizes[order - 1]);
+  return point;
+}
+
+int depth_multiplicity(const ContactPhase<double>& phase, int stop, int known, const Vector& row,
+                       const Vector& qdot) {
+  if (known > 0) return known;
   if (row.dot(qdot) > speed_rounding<double>(row, qdot)) return 1;
-  return push > 0.0 ? 2 : 3;
+  const CurvePoint<double> fall = phase.gap_rate(stop, 2);
+  return std::abs(fall.value) > fall.noise ? 2 : 3;
 }
 
 int left_at_once(const std::vector<Vector>& rows, const std::vector<double>& depths,

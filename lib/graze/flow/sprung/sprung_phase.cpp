@@ -12,8 +12,7 @@ SprungPhase::SprungPhase(const System& system, const PhaseKey& key, SprungEquati
       structure_(std::move(given.structure)),
       equations_(std::move(given.system)),
       refusal_(std::move(given.refusal)),
-      springs_(key.springs.loaded) {
-  springs_.insert(springs_.end(), key.springs.parted.begin(), key.springs.parted.end());
+      springs_(key.springs.all()) {
   for (const Stop& stop : system.stops) {
     rows_.push_back(stop.row);
     gaps_.push_back(stop.gap);
@@ -23,7 +22,7 @@ SprungPhase::SprungPhase(const System& system, const PhaseKey& key, SprungEquati
   for (std::size_t k = 0; k < springs_.size(); ++k) {
     Watch watch;
     watch.spring = static_cast<int>(k);
-    watch.of_spring = SpringWatch::kDepth;
+    watch.of_spring = equations_.springs[k].resting ? SpringWatch::kRest : SpringWatch::kDepth;
     depth_watches_.push_back(watch);
     watch.of_spring = equations_.springs[k].loaded ? SpringWatch::kGrip : SpringWatch::kSlack;
     grip_watches_.push_back(watch);
@@ -84,31 +83,20 @@ void SprungPhase::start(const double& theta, const Vector& q, const Vector& qdot
   depths_.clear();
   for (const int i : springs_) {
     const auto at = static_cast<std::size_t>(i);
-    depths_.push_back(depth_value<double>(rows_[at], q, gaps_[at]));
+    // Of one at rest a depth within its error is kept.
+    const bool resting = equations_.springs[depths_.size()].resting;
+    depths_.push_back(resting ? rows_[at].dot(q) - gaps_[at]
+                              : depth_value<double>(rows_[at], q, gaps_[at]));
   }
   start_steps(theta, q, qdot, depths_, time);
 }
 
 Vector SprungPhase::spring_push(const Vector& q, const Vector& qdot) const {
-  Vector push = Vector::Zero(q.size());
-  for (std::size_t k = 0; k < springs().loaded.size(); ++k) {
-    const SprungSystem::Spring& spring = equations_.springs[k];
-    const double depth = spring.whole_row.dot(q) - gaps_[static_cast<std::size_t>(springs_[k])];
-    push += spring.law.at(depth, spring.whole_row.dot(qdot)) * spring.whole_row;
-  }
-  return push;
-}
-
-Vector SprungPhase::spring_push_rate(const Vector& acceleration) const {
-  Vector push = Vector::Zero(acceleration.size());
-  for (std::size_t k = 0; k < springs().loaded.size(); ++k) {
-    const SprungSystem::Spring& spring = equations_.springs[k];
-    const double depth = depths_[k], rate = spring.whole_row.dot(qdot_);
-    push += (spring.law.by_depth(depth, rate) * rate +
-             spring.law.resistance(depth) * spring.whole_row.dot(acceleration)) *
-            spring.whole_row;
-  }
-  return push;
+  std::vector<double> depths;
+  for (const int i : springs_)
+    depths.push_back(rows_[static_cast<std::size_t>(i)].dot(q) -
+                     gaps_[static_cast<std::size_t>(i)]);
+  return graze::spring_push(equations_, depths, qdot);
 }
 
 // s seconds after the start, without what holds.
@@ -120,45 +108,12 @@ Vector SprungPhase::force(double s, const Vector& q, const Vector& qdot) const {
   return sum - spring_push(q, qdot);
 }
 
-// What closed stops leave of an acceleration.
-Vector SprungPhase::held_back(const Vector& acceleration) const {
-  if (structure_.is_free()) return acceleration;
-  return acceleration - structure_.directions * (structure_.shares.transpose() * acceleration);
-}
-
-SprungPhase::AtStart SprungPhase::at_start() const {
-  const LinearSystem<double>& free = structure_.whole;
-  const Vector stiffness = free.omega.cwiseAbs2();
-  AtStart at;
-  at.force = force(0.0, q_, qdot_);
-  at.acceleration = held_back(at.force);
-  const Vector push_rate = spring_push_rate(at.acceleration);
-  at.force_rate =
-      -2.0 * free.delta.cwiseProduct(at.acceleration) - stiffness.cwiseProduct(qdot_) - push_rate;
-  at.size = 2.0 * free.delta.cwiseProduct(qdot_.cwiseAbs()) +
-            stiffness.cwiseProduct(q_.cwiseAbs()) + spring_push(q_, qdot_).cwiseAbs();
-  at.rate_size = 2.0 * free.delta.cwiseProduct(at.acceleration.cwiseAbs()) +
-                 stiffness.cwiseProduct(qdot_.cwiseAbs()) + push_rate.cwiseAbs();
-  if (free.load.size() > 0) at.size += free.load.cwiseAbs();
-  if (free.forced) {
-    at.force_rate -= free.frequency * std::sin(theta_) * free.amplitude;
-    at.size += free.amplitude.cwiseAbs();
-    at.rate_size += free.frequency * free.amplitude.cwiseAbs();
-  }
-  at.jerk = held_back(at.force_rate);
-  return at;
+ForcesAtStart SprungPhase::at_start() const {
+  return forces_at_start(structure_, equations_, depths_, theta_, q_, qdot_);
 }
 
 CurvePoint<double> SprungPhase::gap_rate(int stop, int order) const {
-  const Vector& row = rows_[static_cast<std::size_t>(stop)];
-  const AtStart at = at_start();
-  const double rates[] = {-row.dot(qdot_), -row.dot(at.acceleration), -row.dot(at.jerk)};
-  const Vector sizes[] = {qdot_.cwiseAbs(), at.size, at.rate_size};
-  CurvePoint<double> point;
-  point.value = rates[order - 1];
-  if (order < 3) point.slope = rates[order];
-  point.noise = kForceRoundings * row.cwiseAbs().dot(sizes[order - 1]);
-  return point;
+  return at_start().gap_rate(rows_[static_cast<std::size_t>(stop)], qdot_, order);
 }
 
 double SprungPhase::force_at(int stop, const double& s, const Vector& q, const Vector& qdot) const {
@@ -175,24 +130,28 @@ double SprungPhase::force_rate(int stop) const {
 
 // The depth begins at zero where the spring has just been entered: at a speed, or pushed. A grip
 // may begin at one wherever the spring is.
-void SprungPhase::watch_springs(const MotionState<double>& now, std::vector<Watched>& list) {
+void SprungPhase::watch_springs(const MotionState<double>& now, const Flight<double>& flight,
+                                std::vector<Watched>& list) {
   for (std::size_t k = 0; k < springs_.size(); ++k) {
     const int i = springs_[k];
     const auto at = static_cast<std::size_t>(i);
-    const bool loaded = equations_.springs[k].loaded;
+    const bool loaded = equations_.springs[k].loaded, at_surface = depths_[k] == 0.0;
     Watch& depth = depth_watches_[k];
     depth.multiplicity = 0;
     depth.departure = 0.0;
-    if (depths_[k] == 0.0) {
-      const double speed = rows_[at].dot(qdot_), push = -gap_rate(i, 2).value;
-      depth.multiplicity = depth_multiplicity(rows_[at], qdot_, push);
-      depth.departure = depth.multiplicity == 1   ? speed
-                        : depth.multiplicity == 2 ? 0.5 * push
-                                                  : -gap_rate(i, 3).value / 6.0;
+    depth.sure = grip_watches_[k].sure = flight.sure_of(i);
+    if (depth.of_spring == SpringWatch::kRest) {
+      list.push_back({i, &depth, ArrivalKind::kTouch});
+      continue;
+    }
+    if (at_surface) {
+      depth.multiplicity = depth_multiplicity(*this, i, now.multiplicities[at], rows_[at], qdot_);
+      depth.departure =
+          -gap_rate(i, depth.multiplicity).value / std::tgamma(depth.multiplicity + 1.0);
     }
     list.push_back({i, &depth, loaded ? ArrivalKind::kSeparation : ArrivalKind::kLeft});
     if (!equations_.springs[k].law.parts_early()) continue;
-    grip_watches_[k].multiplicity = now.multiplicities[at];
+    grip_watches_[k].multiplicity = at_surface ? 0 : now.multiplicities[at];
     list.push_back(
         {i, &grip_watches_[k], loaded ? ArrivalKind::kSeparation : ArrivalKind::kEntry, true});
   }

@@ -87,14 +87,15 @@ void TurningPhase::start(const double& theta, const Vector& q, const Vector& qdo
   SprungPhase::start(theta, q, qdot, time);
 }
 
-SprungPhase::AtStart TurningPhase::at_start() const {
+ForcesAtStart TurningPhase::at_start() const {
   const TurningMotion motion{start_q(), start_qdot()};
   const TurningStructure& structure = turning().structure;
   const Vector push = spring_push(start_q(), start_qdot());
-  AtStart at;
+  ForcesAtStart at;
   at.force = structure.force(motion, 0.0) - push;
   at.acceleration = turning().acceleration(at.force, start_q());
-  const Vector push_rate = spring_push_rate(at.acceleration);
+  const Vector push_rate =
+      spring_push_rate(SprungPhase::equations(), depths(), start_qdot(), at.acceleration);
   at.force_rate = structure.force_rate(motion, at.acceleration) - push_rate;
   at.jerk = turning().jerk(motion, at.acceleration, at.force_rate);
   at.size = structure.force_size(motion, 0.0);
@@ -110,7 +111,7 @@ double TurningPhase::force_at(int stop, const double& s, const Vector& q,
 }
 
 double TurningPhase::force_rate(int stop) const {
-  const AtStart at = at_start();
+  const ForcesAtStart at = at_start();
   return turning().hold_rates({start_q(), start_qdot()}, at.acceleration,
                               at.force_rate)[structure().column_of(stop)];
 }
@@ -123,7 +124,7 @@ void TurningPhase::watch_joint(const MotionState<double>& /*now*/, std::vector<W
     turned.multiplicity = 0;
     turned.departure = 0.0;
     if (structure.stands_still(start_qdot())) {
-      const AtStart at = at_start();
+      const ForcesAtStart at = at_start();
       const double sign = key().joint == Joint::kForward ? 1.0 : -1.0;
       const double rate = structure.rate(at.acceleration);
       const double rounding = kForceRoundings * structure.angle_row().cwiseAbs().dot(at.size);

@@ -51,6 +51,9 @@ std::size_t loaded_spring(const SprungSystem& system) {
 
 bool ContactSeries::suits(const SprungSystem& system) {
   if (system.turning || system.powers || system.load.size() == 0) return false;
+  if (std::any_of(system.springs.begin(), system.springs.end(),
+                  [](const SprungSystem::Spring& spring) { return spring.resting; }))
+    return false;
   if (std::count_if(system.springs.begin(), system.springs.end(), is_loaded) != 1) return false;
   const SprungSystem::Spring& spring = system.springs[loaded_spring(system)];
   if (!(spring.row.dot(spring.acting) > 0.0)) return false;  // its depth is held

@@ -5,7 +5,7 @@
 #include <boost/numeric/odeint/stepper/generation/make_controlled.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 
-#include "graze/flow/stepped/detail/step_walk.hpp"
+#include "graze/flow/stepped/detail/fixed_walk.hpp"
 
 namespace graze {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "graze/flow/stepped/detail/step_walk.hpp"
+#include "graze/flow/stepped/detail/fixed_walk.hpp"
 
 namespace graze {
 namespace {

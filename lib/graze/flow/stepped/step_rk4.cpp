@@ -1,6 +1,6 @@
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 
-#include "graze/flow/stepped/detail/step_walk.hpp"
+#include "graze/flow/stepped/detail/fixed_walk.hpp"
 
 namespace graze {
 namespace {

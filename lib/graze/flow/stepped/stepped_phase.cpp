@@ -37,9 +37,10 @@ void IntegratedPhase::state(const double& s, Vector& q, Vector& qdot) const {
 }
 
 // The stop's watch, with Taylor's coefficient of the zero that it starts from.
-const Watch& IntegratedPhase::watch_of(int stop, int multiplicity) {
+const Watch& IntegratedPhase::watch_of(int stop, int multiplicity, double sure) {
   Watch& watch = watches_[static_cast<std::size_t>(stop)];
   watch.multiplicity = multiplicity;
+  watch.sure = sure;
   if (multiplicity == 0) return watch;
   const double rate =
       multiplicity == 4 ? gap_rate(stop, 3).slope : gap_rate(stop, multiplicity).value;
@@ -53,11 +54,13 @@ Arrival<double> IntegratedPhase::first_event(const MotionState<double>& now,
                                              const Flight<double>& flight) {
   if (const std::optional<Arrival<double>> left = left_at_once(now)) return *left;
   std::vector<Watched> list;
-  watch_springs(now, list);
+  watch_springs(now, flight, list);
   for (const int i : flight.order) {
     const Contact at = now.contacts[static_cast<std::size_t>(i)];
     if (at == Contact::kLocked || at == Contact::kCompressed || at == Contact::kParted) continue;
-    const Watch& watch = watch_of(i, now.multiplicities[static_cast<std::size_t>(i)]);
+    const double sure = flight.sure_of(i);
+    const Watch& watch =
+        watch_of(i, sure > 0.0 ? 0 : now.multiplicities[static_cast<std::size_t>(i)], sure);
     if (watch.multiplicity > 0 && !(watch.departure > 0.0)) return {ArrivalKind::kTouch, i};
     list.push_back(
         {i, &watch, at == Contact::kClosed ? ArrivalKind::kRelease : ArrivalKind::kContact});
@@ -84,6 +87,11 @@ Arrival<double> IntegratedPhase::first_event(const MotionState<double>& now,
   arrival.stop = met.stop;
   arrival.kind = met.kind;
   arrival.below = met.below;
+  if (met.watch->of_spring == SpringWatch::kRest) {
+    arrival.kind = found.beyond ? ArrivalKind::kEntry : ArrivalKind::kTouch;
+    arrival.flight = 0.0;
+    arrival.sure = found.s;
+  }
   arrival.forward = met.watch->factor < 0.0;
   return arrival;
 }

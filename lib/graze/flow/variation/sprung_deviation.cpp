@@ -30,12 +30,6 @@ Matrix projection_rate(const System& system, const System& tangent,
          directions_of(system, closed) * contact_share_rate(system, tangent, closed);
 }
 
-std::vector<int> springs_of(const SpringArc& phase) {
-  std::vector<int> springs = phase.springs().loaded;
-  springs.insert(springs.end(), phase.springs().parted.begin(), phase.springs().parted.end());
-  return springs;
-}
-
 // What the phase integrates, in all coordinates though stops hold the structure: q'' = P f. Nothing
 // where none does.
 std::optional<SprungSystem> constrained_system(const System& system, const SpringArc& phase) {
@@ -49,7 +43,7 @@ std::optional<SprungSystem> constrained_system(const System& system, const Sprin
   sprung.force = system.forcing() ? Vector(held * system.forcing()->amplitude) : none;
   sprung.frequency = system.forcing() ? system.forcing()->frequency : 0.0;
   sprung.powers.reset();
-  const std::vector<int> springs = springs_of(phase);
+  const std::vector<int> springs = phase.springs().all();
   for (std::size_t i = 0; i < springs.size(); ++i) {
     const Vector& row = system.stops[static_cast<std::size_t>(springs[i])].row;
     sprung.springs[i].row = row;
@@ -263,7 +257,7 @@ Deviations sprung_parameter_deviation(const System& system, const System& tangen
   if (const auto closed =
           linear_spring_parameter_deviation(system, tangent, phase, start, theta, s, column))
     return *closed;
-  Source source{system, tangent, springs_of(phase)};
+  Source source{system, tangent, phase.springs().all()};
   if (!phase.closed().empty()) {
     source.held = projection(system, phase.closed());
     source.held_rate = projection_rate(system, tangent, phase.closed());

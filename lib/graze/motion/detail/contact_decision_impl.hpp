@@ -25,8 +25,15 @@ inline constexpr int kRoundings = 16;
 // An arrival where an impact is due or nothing can be decided; else empty, with the changes noted.
 template <class Real>
 std::optional<Arrival<Real>> Motion<Real>::decide() {
+  decide_moving_springs();
+  const std::optional<Arrival<Real>> arrival = decide_rigid();
+  if (!arrival) decide_resting_springs();
+  return arrival;
+}
+
+template <class Real>
+std::optional<Arrival<Real>> Motion<Real>::decide_rigid() {
   using std::abs;
-  decide_springs();
   ContactPhase<Real>& phase = start_phase();
   std::vector<int> resting, lingering;
   for (const int i : order_) {

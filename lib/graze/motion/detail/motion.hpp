@@ -154,6 +154,7 @@ class Motion {
   void adopt_system();
   const MetStop& stop(int i) const { return stops_[static_cast<std::size_t>(i)]; }
   Contact contact(int i) const { return now_.contacts[static_cast<std::size_t>(i)]; }
+  int multiplicity(int i) const { return now_.multiplicities[static_cast<std::size_t>(i)]; }
   bool is_held(int i) const {
     return contact(i) == Contact::kClosed || contact(i) == Contact::kLocked;
   }
@@ -186,8 +187,11 @@ class Motion {
   PhaseSprings springs() const;
   Real depth(int stop) const;
   void begin_springs();
-  void decide_springs();
-  std::optional<int> departure_from_rest(int stop);
+  void decide_moving_springs();
+  void decide_resting_springs();
+  std::vector<bool> moving_modes() const;
+  bool is_moved(int stop, const std::vector<bool>& moves) const;
+  void be_sure_of(int stop, const Real& time);
   void compress(int stop);
   void judge_again(Jumped what);
   void arrive_at_spring(Arrival<Real>& arrival);
@@ -204,6 +208,7 @@ class Motion {
   void push_back_from(const std::vector<int>& stops, const RealVector<Real>& amounts);
 
   std::optional<Arrival<Real>> decide();
+  std::optional<Arrival<Real>> decide_rigid();
   bool decide_resting(const std::vector<int>& resting);
   std::vector<int> decide_degenerate(std::vector<int> held, std::vector<int> stops);
   void hold(int stop);
@@ -289,8 +294,10 @@ class Motion {
   long long asked_ = 0, forgotten_evaluations_ = 0;
   ContactPhase<Real>* phase_ = nullptr;  // of the closed stops; null until it is looked up
   ContactPhase<Real>* flown_ = nullptr;
-  bool undecided_ = false;  // some stop is touching
-  bool recheck_ = false;    // closed stops have felt an impulse
+  std::vector<Real> sure_;        // be_sure_of(), of every stop; empty: nothing is known
+  RealVector<Real> sure_speeds_;  // with which velocities the flight starts
+  bool undecided_ = false;        // some stop is touching
+  bool recheck_ = false;          // closed stops have felt an impulse
   std::vector<Change> changes_;
   std::vector<ImpactShare<Real>> shares_;  // of the last impact
   int arrivals_at_once_ = 0;               // arrivals without flight in a row

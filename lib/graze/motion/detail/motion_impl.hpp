@@ -73,6 +73,7 @@ void Motion<Real>::go_on_from(const MotionState<Real>& state) {
   arrivals_at_once_ = 0;
   eventful_ = false;
   broken_.reset();
+  sure_.clear();
   refusal_.clear();
 }
 
@@ -218,8 +219,7 @@ template <class Real>
 int Motion<Real>::first_of(const ContactPhase<Real>& phase) {
   if (!phase.closed().empty()) return phase.closed().front();
   if (phase.springs().empty()) return -1;
-  return phase.springs().loaded.empty() ? phase.springs().parted.front()
-                                        : phase.springs().loaded.front();
+  return phase.springs().all().front();
 }
 
 // A flight of no length, for pending events alone.
@@ -245,8 +245,10 @@ Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
   if (std::exchange(eventful_, false)) audit_forces();
   if (broken_) return *broken_;
   const Real left = until - now_.instant.local;
-  const Arrival<Real> arrival =
-      phase.first_event(now_, {left, horizon - now_.instant.local, looked_at_, stop_, told_depth_});
+  // What was known of a flight with other velocities is not of this one.
+  if (!sure_.empty() && sure_speeds_ != now_.qdot) sure_.clear();
+  const Arrival<Real> arrival = phase.first_event(
+      now_, {left, horizon - now_.instant.local, looked_at_, stop_, told_depth_, sure_});
   if (arrival.kind != ArrivalKind::kNotFinite && arrival.flight > left)
     return {ArrivalKind::kTime, -1, left, Real(0), arrival.evaluations, arrival.lowest};
   return arrival;
@@ -265,6 +267,7 @@ Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
   flown_ = phase_;
   const bool whole = arrival.flight == until - now_.instant.local;
   if (arrival.flight > 0) {
+    sure_.clear();
     phase_->state(arrival.flight, now_.q, now_.qdot);
     audit_gaps(arrival.flight);
     // A stop that has hardly been left still counts as touched: the sign of its gap is rounding.
@@ -273,7 +276,7 @@ Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
         set(i, touches(i) ? Contact::kTouching : Contact::kClear);
     turn_directions();
     for (const int i : compliant_) {
-      if (contact(i) == Contact::kLocked)
+      if (contact(i) == Contact::kLocked && multiplicity(i) == 0)
         set(i, touches(i) ? Contact::kTouching : Contact::kClear);
       else if (contact(i) == Contact::kCompressed || contact(i) == Contact::kParted)
         set(i, contact(i));
@@ -385,6 +388,14 @@ void Motion<Real>::settle_on(int i, const Real& flight) {
     for (Eigen::Index j = 0; j < now_.q.size(); ++j) now_.q[j] += offset * (share(j) / whole);
   else
     now_.q += (offset / s.row.squaredNorm()) * s.row;
+  // What is left of the offset is rounding of what it was: more than that of what it is now where
+  // the gap is zero, and so is the displacement. One mode takes it.
+  const GapValue<Real> left = gap_value(s.row, now_.q, s.gap);
+  if (!(abs(left.value) > left.rounding)) return;
+  Eigen::Index most = 0;
+  s.row.cwiseAbs().maxCoeff(&most);
+  now_.q[most] = 0;
+  now_.q[most] = (s.gap - s.row.dot(now_.q)) / s.row[most];
 }
 
 }  // namespace graze

@@ -1,11 +1,18 @@
 // Definitions of motion.hpp: compliant stops.
 //
 //   clear -> touching -> compressed -> departing -> clear
-//                            | ^
-//                            v |   force gone beyond the surface, and back
-//                           parted -> departing
+//               | ^          | ^
+//               v |          v |   force gone beyond the surface, and back
+//              locked       parted -> departing
 //
 // Nothing jumps: an entry or a separation changes which forces act, and begins a new phase.
+//
+// A surface that is touched is entered or left by the first derivative of the gap that is more than
+// its rounding: the speed, the push, or its rate. Where none of them tells though something moves
+// the structure there (the force of another spring that has just been entered grows as a higher
+// power of time, and not as a whole one under Hertz's law) the motion tells it: the spring rests in
+// the phase, pressing where its surface is passed, until its depth is more than its error
+// (WalkingFlow::leaves_rest). It has been entered or left since the start of that flight.
 #pragma once
 
 #include <cmath>
@@ -21,6 +28,7 @@ PhaseSprings Motion<Real>::springs() const {
   for (const int i : compliant_) {
     if (contact(i) == Contact::kCompressed) springs.loaded.push_back(i);
     if (contact(i) == Contact::kParted) springs.parted.push_back(i);
+    if (contact(i) == Contact::kLocked && multiplicity(i) > 0) springs.resting.push_back(i);
   }
   return springs;
 }
@@ -98,46 +106,88 @@ void Motion<Real>::judge_again(Jumped what) {
   if (is_closed_anywhere()) undecided_ = recheck_ = true;
 }
 
-// Of those touched: approached or pushed they are entered, else they are left. Those at rest last:
-// what is entered may push them.
+// Of those touched: approached they are entered, receded from they are left.
 template <class Real>
-void Motion<Real>::decide_springs() {
-  const auto enter = [&](int i) {
-    compress(i);
-    changes_.push_back({ArrivalKind::kEntry, i});
-  };
+void Motion<Real>::decide_moving_springs() {
   for (const int i : compliant_) {
     if (contact(i) != Contact::kTouching) continue;
     const Real speed = approach_speed(i), rounding = speed_rounding(i);
     if (speed < -rounding) {
       set(i, Contact::kDeparting, 1);
-    } else if (speed > rounding) {
-      enter(i);
+    } else if (speed > rounding || depth(i) > 0) {
+      compress(i);
+      changes_.push_back({ArrivalKind::kEntry, i});
       if (!stop(i).force().sets_in_smoothly()) judge_again(Jumped::kForces);
     }
   }
-  for (const int i : compliant_) {
-    if (contact(i) != Contact::kTouching) continue;
-    const std::optional<int> departs = departure_from_rest(i);
-    if (!departs || *departs > 0)
-      set(i, departs ? Contact::kDeparting : Contact::kLocked, departs.value_or(0));
-    else
-      enter(i);
-  }
 }
 
-// At rest on a surface: how its gap grows, as s^2 or s^3; 0: it is pushed beyond. Where neither
-// push nor its rate says, nothing moves it: it stays there until something does.
+// The others, at rest, once it is known what else presses: all of them by their pushes, then by the
+// rates of these, which those that were entered by then change.
 template <class Real>
-std::optional<int> Motion<Real>::departure_from_rest(int i) {
+void Motion<Real>::decide_resting_springs() {
   using std::abs;
-  RealVector<Real> size;
-  free_acceleration(&size);
-  const Real push = free_push(i);
-  if (abs(push) > push_rounding(i, size)) return push < 0 ? 2 : 0;
-  const CurvePoint<Real> jerk = start_phase().gap_rate(i, 3);
-  if (!(abs(jerk.value) > jerk.noise)) return {};
-  return jerk.value < 0 ? 0 : 3;
+  std::vector<int> resting;
+  for (const int i : compliant_)
+    if (contact(i) == Contact::kTouching) resting.push_back(i);
+  for (int order = 2; order <= 3 && !resting.empty(); ++order) {
+    const ContactPhase<Real>& phase = start_phase();
+    if (!phase.refusal().empty()) break;
+    std::vector<CurvePoint<Real>> rates;
+    for (const int i : resting) rates.push_back(phase.gap_rate(i, order));
+    std::vector<int> untold;
+    for (std::size_t a = 0; a < resting.size(); ++a) {
+      const int i = resting[a];
+      if (!(abs(rates[a].value) > rates[a].noise)) {
+        untold.push_back(i);
+      } else if (rates[a].value > 0) {
+        set(i, Contact::kDeparting, order);
+      } else {
+        set(i, Contact::kCompressed, order);
+        changes_.push_back({ArrivalKind::kEntry, i});
+        phase_ = nullptr;
+      }
+    }
+    resting = std::move(untold);
+  }
+  if (resting.empty()) return;
+  const std::vector<bool> moves = moving_modes();
+  for (const int i : resting) set(i, Contact::kLocked, is_moved(i, moves) ? 1 : 0);
+  phase_ = nullptr;
+}
+
+// What is at rest without any force stays so, unless a stop that is touched connects it with what
+// is not.
+template <class Real>
+std::vector<bool> Motion<Real>::moving_modes() const {
+  const Eigen::Index n = now_.q.size();
+  std::vector<bool> moves(static_cast<std::size_t>(n), static_cast<bool>(turning_));
+  if (turning_) return moves;
+  const RealVector<Real> acceleration = free_acceleration();
+  for (Eigen::Index j = 0; j < n; ++j)
+    moves[static_cast<std::size_t>(j)] =
+        now_.qdot[j] != 0 || acceleration[j] != 0 || (linear_.forced && linear_.amplitude[j] != 0);
+  // Each pass connects one stop at least.
+  std::vector<int> apart;
+  for (const int i : all_)
+    if (contact(i) != Contact::kClear) apart.push_back(i);
+  const auto connects = [&](int i) {
+    if (!is_moved(i, moves)) return false;
+    for (Eigen::Index j = 0; j < n; ++j)
+      if (stop(i).row[j] != 0 || stop(i).direction[j] != 0)
+        moves[static_cast<std::size_t>(j)] = true;
+    return true;
+  };
+  while (std::erase_if(apart, connects) > 0) {
+  }
+  return moves;
+}
+
+template <class Real>
+bool Motion<Real>::is_moved(int i, const std::vector<bool>& moves) const {
+  for (Eigen::Index j = 0; j < now_.q.size(); ++j)
+    if (stop(i).row[j] != 0 && moves[static_cast<std::size_t>(j)]) return true;
+  return false;
 }
 
 // The located instant is rounded; what was reached there is not.
@@ -145,6 +195,19 @@ template <class Real>
 void Motion<Real>::arrive_at_spring(Arrival<Real>& arrival) {
   const int i = arrival.stop;
   arrival.speed = approach_speed(i);
+  phase_ = nullptr;
+  if (contact(i) == Contact::kLocked) {
+    set(i, arrival.kind == ArrivalKind::kEntry ? Contact::kCompressed : Contact::kDeparting);
+    be_sure_of(i, arrival.sure);
+    return;
+  }
+  // What leaves its surface from rest and is back at once does so by rounding: the motion tells.
+  if (arrival.flight == 0 && multiplicity(i) > 1 && !(depth(i) > 0) &&
+      !(arrival.speed < -speed_rounding(i))) {
+    if (arrival.kind == ArrivalKind::kContact) arrival.kind = ArrivalKind::kTouch;
+    set(i, Contact::kLocked, 1);
+    return;
+  }
   // The force is zero here, whatever it comes to from the rounded depth.
   if (contact(i) == Contact::kParted && arrival.kind == ArrivalKind::kEntry) {
     set(i, Contact::kCompressed, 1);
@@ -164,7 +227,14 @@ void Motion<Real>::arrive_at_spring(Arrival<Real>& arrival) {
         judge_again(Jumped::kForces);
     }
   }
-  phase_ = nullptr;
+}
+
+// The flight that starts now does not meet the surface for so long, s.
+template <class Real>
+void Motion<Real>::be_sure_of(int i, const Real& time) {
+  if (sure_.empty() || sure_speeds_ != now_.qdot) sure_.assign(stops_.size(), Real(0));
+  sure_speeds_ = now_.qdot;
+  sure_[static_cast<std::size_t>(i)] = time;
 }
 
 }  // namespace graze

@@ -34,6 +34,9 @@ struct Arrival {
   // Separation: the force is gone below the surface of the stop, which is left later.
   bool below = false;
   bool forward = false;  // joint: what has held it is turned forward
+  // Of a spring at whose surface the structure was resting: entered, or left, from the start of the
+  // arc on, for so long at least, s.
+  Real sure = 0;
 
   // Whether the motion does not go on.
   bool fails() const {

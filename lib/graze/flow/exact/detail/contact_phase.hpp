@@ -26,11 +26,20 @@
 
 namespace graze {
 
-// The springs that the structure compresses: those whose force acts, and those whose force is gone
-// before the structure has left them. Indices of stops, ascending.
+// The springs that the structure compresses: those whose force acts, those whose force is gone
+// before the structure has left them, and those at whose surface it rests though something moves it
+// there, by how much and to which side no derivative tells yet: they press where it gets beyond.
+// Indices of stops, ascending.
 struct PhaseSprings {
-  std::vector<int> loaded, parted;
-  bool empty() const { return loaded.empty() && parted.empty(); }
+  std::vector<int> loaded, parted, resting{};
+  bool empty() const { return loaded.empty() && parted.empty() && resting.empty(); }
+  // In the order in which phases have them.
+  std::vector<int> all() const {
+    std::vector<int> list = loaded;
+    list.insert(list.end(), parted.begin(), parted.end());
+    list.insert(list.end(), resting.begin(), resting.end());
+    return list;
+  }
   auto operator<=>(const PhaseSprings&) const = default;
 };
 
@@ -50,6 +59,9 @@ struct Flight {
   std::span<const int> order{};  // in which stops are looked at
   const StopSignal& stop;        // asked now and then
   double told_depth = 0.0;       // m, see StepFlow::deepest
+  // Of every stop, up to when it is known to stay on its side of the surface, s; empty: of none.
+  std::span<const Real> sure{};
+  Real sure_of(int i) const { return sure.empty() ? Real(0) : sure[static_cast<std::size_t>(i)]; }
 };
 
 template <class Real>

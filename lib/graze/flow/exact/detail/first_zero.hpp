@@ -231,12 +231,13 @@ FirstZero<Real> first_descent(const Sample& sample, const Real& from, const Real
 
 // First contact in (0, curve.window()]. `multiplicity` > 0 says that the gap starts at a known
 // zero: 1 just after an impact, 2 when pulled away from rest on the stop, 3 after a release, 4
-// after one at which the contact force vanishes without crossing zero.
+// after one at which the contact force vanishes without crossing zero. `sure`: up to then it is
+// known to stay on the structure's side.
 template <class Real>
-FirstZero<Real> first_contact(const ArcCurve<Real>& curve, int multiplicity,
+FirstZero<Real> first_contact(const ArcCurve<Real>& curve, int multiplicity, const Real& sure = 0,
                               const StopSignal& stop = {}) {
-  Real from = 0;
-  if (multiplicity > 0) {
+  Real from = sure;
+  if (multiplicity > 0 && sure == 0) {
     from = first_zero_detail::departure_step(curve, multiplicity);
     if (from < 0) return {ZeroKind::kBlocked, Real(0), Real(0), 1};
   }

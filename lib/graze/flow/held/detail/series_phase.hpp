@@ -59,6 +59,7 @@ class SeriesPhase final : public ContactPhase<double> {
   struct Watched {
     int stop = 0, multiplicity = 0;
     bool closed = false;
+    double sure = 0.0;  // s, up to then it is not met
   };
   struct Met {
     double s = 0.0;

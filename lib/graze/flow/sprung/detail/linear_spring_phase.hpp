@@ -27,6 +27,8 @@ class LinearSpringPhase final : public CoupledPhase {
   void start(const double& theta, const Vector& q, const Vector& qdot, const double& time) override;
   Arrival<double> first_event(const MotionState<double>& now,
                               const Flight<double>& flight) override;
+  // By the forces themselves: the rounding of the modes grows with each derivative.
+  CurvePoint<double> gap_rate(int stop, int order) const override;
   const SpringArc* sprung() const override { return &spring_arc_; }
 
  private:
@@ -39,7 +41,8 @@ class LinearSpringPhase final : public CoupledPhase {
   std::vector<int> stops_;    // that the springs are of
   std::vector<Vector> rows_;  // of the springs
   std::vector<double> gaps_, depths_;
-  double theta_ = 0.0;  // at the start
+  std::vector<Vector> stop_rows_;  // of every stop
+  double theta_ = 0.0;             // at the start
   Vector q_, qdot_;
   SpringArc spring_arc_;
 };

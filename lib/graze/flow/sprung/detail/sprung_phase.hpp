@@ -16,9 +16,6 @@ namespace graze {
 // thousand steps the energy keeps ten digits.
 inline constexpr double kStepTolerance = 1e-14;
 
-// Of a sum of forces, each of its size.
-inline constexpr double kForceRoundings = 16.0 * std::numeric_limits<double>::epsilon();
-
 class SprungPhase : public IntegratedPhase {
  public:
   using ContactPhase<double>::start;
@@ -42,15 +39,10 @@ class SprungPhase : public IntegratedPhase {
   void integrate(const std::optional<StepSetting>& steps);
   SprungSystem& equations() { return equations_; }
 
-  // On all coordinates at the start: the forces but for those of what holds, N, what these leave of
-  // them, and the rates of both; the sizes of the terms of force and rate, for their rounding.
-  struct AtStart {
-    Vector force, acceleration, force_rate, jerk, size, rate_size;
-  };
-  virtual AtStart at_start() const;
-  // By loaded springs, on all coordinates, N, and at the start its rate, N/s.
+  virtual ForcesAtStart at_start() const;
+  // By loaded springs, on all coordinates, N.
   Vector spring_push(const Vector& q, const Vector& qdot) const;
-  Vector spring_push_rate(const Vector& acceleration) const;
+  const std::vector<double>& depths() const { return depths_; }
   const Vector& start_q() const { return q_; }
   const Vector& start_qdot() const { return qdot_; }
 
@@ -58,8 +50,8 @@ class SprungPhase : public IntegratedPhase {
   void add_force_weights(const System& system);
   void add_powers(const System& system);
   Vector force(double s, const Vector& q, const Vector& qdot) const;
-  Vector held_back(const Vector& acceleration) const;
-  void watch_springs(const MotionState<double>& now, std::vector<Watched>& list) final;
+  void watch_springs(const MotionState<double>& now, const Flight<double>& flight,
+                     std::vector<Watched>& list) final;
   std::optional<Arrival<double>> left_at_once(const MotionState<double>& now) const final;
 
   ConstrainedStructure<double> structure_;

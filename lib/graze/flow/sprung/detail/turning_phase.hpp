@@ -22,7 +22,7 @@ class TurningPhase final : public SprungPhase {
   TurningPhase(const System& holding, const PhaseKey& key, const std::optional<StepSetting>& steps);
   static SprungEquations equations_of(const System& holding, const PhaseKey& key);
   double longest_flight() const override { return turning().structure.smooth_for(); }
-  AtStart at_start() const override;
+  ForcesAtStart at_start() const override;
   void watch_joint(const MotionState<double>& now, std::vector<Watched>& list) override;
   const Turning& turning() const { return *SprungPhase::equations().turning; }
 

@@ -21,6 +21,10 @@ namespace graze::step_walk {
 // Roundings, of each coordinate's part, in a grip as the state tells it.
 inline constexpr double kGripRoundings = 8.0;
 
+// Errors of a step in what a sum of exponentials may round by: of 128 modes, each to some
+// roundings.
+inline constexpr double kModalErrors = 1024.0;
+
 class Sprung {
  public:
   using State = std::vector<double>;
@@ -61,6 +65,14 @@ class Sprung {
     Vector depth, rate;
   };
   Compression compression(std::size_t spring, const State& z) const;
+  // Of a spring at whose surface the structure rests, after so many steps: its depth, m, and what
+  // of it may be an error: each step errs by its tolerance and rounding in each entry of z, and
+  // sums of modes that go on from there by kModalErrors as much. Nothing depends on how late it is
+  // told: until then the spring presses as it does behind.
+  struct Left {
+    double depth = 0.0, error = 0.0;
+  };
+  Left left(std::size_t spring, const State& z, long long steps) const;
   // Force of a spring, N, and its rate, N/s; 0 where it is not loaded.
   std::size_t springs() const { return contacts_.size(); }
   double force(std::size_t spring, const State& z) const;
@@ -150,6 +162,18 @@ inline Sprung::Compression Sprung::compression(std::size_t spring, const State& 
   return {contact.start + contact.depth.dot(moved), contact.rate.dot(velocity)};
 }
 
+inline Sprung::Left Sprung::left(std::size_t spring, const State& z, long long steps) const {
+  const Contact& contact = contacts_[spring];
+  const Eigen::Index n = modes();
+  const Eigen::Map<const Vector> moved(z.data(), n);
+  const double per_entry = tolerance_ * static_cast<double>(steps);
+  const double per_size = relative(tolerance_) * static_cast<double>(steps) +
+                          static_cast<double>(n) * std::numeric_limits<double>::epsilon();
+  const Vector weights = contact.depth.cwiseAbs();
+  return {contact.start + contact.depth.dot(moved),
+          kModalErrors * (per_entry * weights.sum() + per_size * weights.dot(moved.cwiseAbs()))};
+}
+
 inline Sprung::Compression Sprung::compression_rate(std::size_t spring, const State& slope) const {
   const Contact& contact = contacts_[spring];
   const Eigen::Index n = modes();
@@ -180,7 +204,8 @@ inline void Sprung::set_units(double theta, const Vector& velocity,
   longest_step_ = std::numeric_limits<double>::infinity();
   for (const SprungSystem::Spring& spring : system_.springs) {
     const double v = std::abs(spring.row.dot(velocity));
-    if (!spring.loaded && spring.law.damping == ContactDamping::kOnset && v > 0.0)
+    if (!spring.loaded && !spring.resting && spring.law.damping == ContactDamping::kOnset &&
+        v > 0.0)
       longest_step_ =
           std::fmin(longest_step_, spring.law.onset_depth / (2.0 * spring.law.onset_sharpness * v));
   }
@@ -256,49 +281,15 @@ inline void Sprung::operator()(const State& z, State& slope, double s) {
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const SprungSystem::Spring& spring = system_.springs[i];
     slope[place(kSprings + i)] = 0.0;
-    if (!spring.loaded) continue;
+    if (!spring.loaded && !spring.resting) continue;
     const Compression at = compression(i, z);
+    if (spring.resting && !(at.depth > 0.0)) continue;
     const double force = spring.law.at(at.depth, at.rate) / unit_;
     acceleration -= force * spring.acting;
     const double speed = at.rate / unit_;
     slope[place(kSprings + i)] = spring.law.resistance(at.depth) * speed * speed;
   }
   if (system_.turning) add_inertia(acceleration);
-}
-
-inline void Sprung::add_powers(const State& z, const Vector& resistance, double cosine, double s,
-                               State& slope) {
-  const Eigen::Index n = modes();
-  const Eigen::Map<const Vector> velocity(z.data() + n, n);
-  const double unit = unit_ * unit_ / work_unit_;
-  const auto& powers = system_.powers;
-  slope[place(kForcing)] = slope[place(kWeight)] = slope[place(kConstraint)] = 0.0;
-  if (system_.frequency > 0.0)
-    slope[place(kForcing)] =
-        unit / unit_ * cosine * (powers ? powers->forcing : system_.force).dot(velocity);
-  slope[place(kDissipation)] =
-      unit * (powers ? velocity.dot(powers->damping * velocity) : velocity.dot(resistance));
-  if (!powers) return;
-  for (const SprungSystem::Holding& holding : powers->held)
-    slope[place(kConstraint)] -=
-        unit / unit_ * holding.against.dot(velocity) * observed(holding.force, s, z);
-}
-
-inline SprungWorks Sprung::works(const State& z) const {
-  SprungWorks works;
-  works.moved = unit_ * Eigen::Map<const Vector>(z.data(), modes()).cwiseQuotient(scale_);
-  works.forcing = work_unit_ * z[place(kForcing)];
-  works.weight = work_unit_ * z[place(kWeight)];
-  works.dissipation = work_unit_ * z[place(kDissipation)];
-  works.constraint = work_unit_ * z[place(kConstraint)];
-  for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    const SprungSystem::Spring& spring = system_.springs[i];
-    works.springs.push_back({unit_ * unit_ * z[place(kSprings + i)], 0.0});
-    if (spring.loaded)
-      works.springs.back().stored =
-          spring.law.stored(compression(i, z).depth) - spring.law.stored(contacts_[i].start);
-  }
-  return works;
 }
 
 inline double Sprung::force(std::size_t spring, const State& z) const {

@@ -1,7 +1,7 @@
 // Definitions of sprung_rates.hpp: what a structure that turns adds.
 #pragma once
 
-#include "graze/flow/stepped/detail/sprung_rates.hpp"
+#include "graze/flow/stepped/detail/sprung_rates_powers_impl.hpp"
 
 namespace graze::step_walk {
 

@@ -39,7 +39,8 @@ enum class SpringWatch {
   kDepth,  // of a spring
   kGrip,   // of a spring (ContactForce::grip)
   kSlack,  // minus that
-  kHold    // constant + weights.x + the force of a hold of a turning structure
+  kRest,  // of a spring that rests: how far its depth is from zero, less what of it may be an error
+  kHold   // constant + weights.x + the force of a hold of a turning structure
 };
 
 // An observable to be watched: constant + weights.x + harmonic cos(theta + its phase), and of
@@ -57,6 +58,7 @@ struct Watch {
   int spring = -1;      // index into SprungSystem::springs, or of a hold
   double factor = 1.0;  // of the force of a hold
   bool is_told = true;  // its least value is (StepDescent::lowest)
+  double sure = 0.0;    // s, up to then it is known to be positive
 };
 
 // A structure on compressed springs, on its displacements y and velocities y':
@@ -70,7 +72,8 @@ struct SprungSystem {
     ContactForce law;
     Vector row, acting;  // n
     bool loaded = true;
-    Vector whole_row{};  // on all coordinates of a structure that turns
+    Vector whole_row{};    // on all coordinates of a structure that turns
+    bool resting = false;  // its surface is touched: it is loaded where that is passed
   };
   // What holds the structure by a force that is not along what it forbids: the force, and with
   // which row it takes power, -against.y' times the force.
@@ -114,6 +117,7 @@ struct StepDescent {
   int watch = -1;        // which fell through zero first; -1: none did
   double s = 0.0;        // where; else the end of the window, or the last place that is known
   bool finite = true;    // the state stayed in range
+  bool beyond = false;   // of a spring that rests: its surface is passed, not left
   bool stopped = false;  // the stop signal ended it
   double lowest = 0.0;   // least value of any watch at the ends of the steps
   long long values = 0;  // of observables, taken in search of the zero

@@ -55,8 +55,11 @@ class WalkingFlow final : public StepFlow {
       slopes_.clear();
       // What leaves a known zero rises; the sign of its rate may be rounding.
       for (const Watch* watch : watches)
-        slopes_.push_back(watch->multiplicity > 0 ? 0.0 : walk_.rates.rate(*watch, 0.0, start_));
+        slopes_.push_back(watch->multiplicity > 0 || watch->sure > 0.0 || rests(*watch)
+                              ? 0.0
+                              : walk_.rates.rate(*watch, 0.0, start_));
     }
+    [[maybe_unused]] long long steps = 0;
     for (double from = 0.0; from < std::min(window, until) && found.watch < 0;) {
       walk_.step();
       if (++polls_ % kStepsPerPoll == 0 && stop.requested()) {
@@ -65,6 +68,12 @@ class WalkingFlow final : public StepFlow {
       }
       const double end = std::min(walk_.to(), window);
       if (!(end > from)) return not_finite(found, from);
+      if constexpr (kSprung) {
+        if (end < walk_.to()) walk_.between(end, last_);
+        const State& x = end < walk_.to() ? last_ : walk_.state_at_end();
+        if (leaves_rest(watches, x, ++steps, found))
+          return well_left(watches, end, steps, window, found);
+      }
       const int parts = parts_of(end - from);
       double part_from = from;
       for (int part = 1; part <= parts && found.watch < 0; ++part) {
@@ -150,26 +159,14 @@ class WalkingFlow final : public StepFlow {
     const State& x = end < walk_.to() ? last_ : walk_.state_at_end();
     found.values += static_cast<long long>(watches.size());
     for (std::size_t i = 0; i < watches.size(); ++i) {
+      if (rests(*watches[i]) || end <= watches[i]->sure) continue;
       const double there = walk_.rates.observed(*watches[i], end, x);
       if (!std::isfinite(there)) return false;
       if (end <= until && watches[i]->is_told) found.lowest = std::min(found.lowest, there);
-      double zero = end;
-      if constexpr (kSprung) {
-        const double slope = walk_.rates.rate(*watches[i], end, x);
-        const std::optional<double> dip =
-            there > 0.0 && slopes_[i] < 0.0 && slope > 0.0
-                ? dip_between(*watches[i], from, end, slope, until, found)
-                : std::nullopt;
-        slopes_[i] = slope;
-        if (there > 0.0 && !dip) continue;
-        zero = dip ? *dip : locate(*watches[i], from, end, there, found.values);
-      } else {
-        if (there > 0.0) continue;
-        zero = locate(*watches[i], from, end, there, found.values);
-      }
-      if (found.watch >= 0 && !(zero < found.s)) continue;
+      const std::optional<double> zero = fall(watches, i, from, end, there, until, found);
+      if (!zero || (found.watch >= 0 && !(*zero < found.s))) continue;
       found.watch = static_cast<int>(i);
-      found.s = zero;
+      found.s = *zero;
     }
     return true;
   }
@@ -253,6 +250,65 @@ class WalkingFlow final : public StepFlow {
     return locate(watch, from, least, value, found.values);
   }
 
+  // Where a watch falls through zero in (from, end], that is `there` at the end.
+  std::optional<double> fall(std::span<const Watch* const> watches, std::size_t i, double from,
+                             double end, double there, double until, StepDescent& found) {
+    const Watch& watch = *watches[i];
+    const double begin = std::max(from, watch.sure);
+    if constexpr (kSprung) {
+      const State& x = end < walk_.to() ? last_ : walk_.state_at_end();
+      const double slope = walk_.rates.rate(watch, end, x);
+      const bool dips = there > 0.0 && slopes_[i] < 0.0 && slope > 0.0;
+      slopes_[i] = slope;
+      if (dips) return dip_between(watch, begin, end, slope, until, found);
+    }
+    if (there > 0.0) return {};
+    return locate(watch, begin, end, there, found.values);
+  }
+
+  static bool rests(const Watch& watch) { return watch.of_spring == SpringWatch::kRest; }
+
+  // Whether a spring's depth, which started at zero, differs from it for certain; else what it does
+  // makes no difference yet.
+  bool leaves_rest(std::span<const Watch* const> watches, const State& x, long long steps,
+                   StepDescent& found) const {
+    for (std::size_t i = 0; i < watches.size(); ++i) {
+      if (!rests(*watches[i])) continue;
+      const auto [depth, error] =
+          walk_.rates.left(static_cast<std::size_t>(watches[i]->spring), x, steps);
+      if (!(std::abs(depth) > error)) continue;
+      found.watch = static_cast<int>(i);
+      found.beyond = depth > 0.0;
+      return true;
+    }
+    return false;
+  }
+
+  // From there on the spring is followed as long as it gets away and nothing else happens, for
+  // those who look for its surface behind: their steps are short near a zero.
+  StepDescent well_left(std::span<const Watch* const> watches, double end, long long steps,
+                        double window, StepDescent found) {
+    const auto spring =
+        static_cast<std::size_t>(watches[static_cast<std::size_t>(found.watch)]->spring);
+    const double sign = found.beyond ? 1.0 : -1.0;
+    double away = 0.0;
+    for (;;) {
+      const State& x = end < walk_.to() ? last_ : walk_.state_at_end();
+      const auto [depth, error] = walk_.rates.left(spring, x, steps++);
+      const bool goes_on = std::all_of(watches.begin(), watches.end(), [&](const Watch* watch) {
+        return rests(*watch) || end <= watch->sure || walk_.rates.observed(*watch, end, x) > 0.0;
+      });
+      if (away > 0.0 && (!(sign * depth > away) || !goes_on)) return found;
+      found.s = end;
+      away = sign * depth;
+      if (away > kWellLeft * error || !goes_on || !(walk_.to() < window)) return found;
+      walk_.step();
+      if (!(walk_.to() > end)) return found;
+      end = std::min(walk_.to(), window);
+      if (end < walk_.to()) walk_.between(end, last_);
+    }
+  }
+
   // The last place that is known.
   static StepDescent not_finite(StepDescent found, double from) {
     found.finite = false;
@@ -287,6 +343,8 @@ class WalkingFlow final : public StepFlow {
   }
 
   static constexpr long long kStepsPerPoll = 4096;
+  // In errors of a depth: so far from its zero a search makes long steps.
+  static constexpr double kWellLeft = 1e6;
   // Of the time so far: a step so short has no room for nodes of a rule.
   static constexpr double kNothing = 1024.0 * std::numeric_limits<double>::epsilon();
   Walk walk_;
@@ -295,86 +353,6 @@ class WalkingFlow final : public StepFlow {
   std::vector<Peak> peaks_;
   std::vector<double> slopes_;  // of the watches, at the end of the step before
 };
-
-// A method that keeps the slope at the end of a step for the next one, with the slope told to it:
-// steps within a step start from elsewhere.
-template <class Stepper>
-class Unprepared {
- public:
-  template <class Rates, class State>
-  void do_step(Rates rates, const State& x, double s, State& out, double step) {
-    State slope = x, slope_out = x;
-    rates(x, slope, s);
-    stepper_.do_step(rates, x, slope, s, out, slope_out, step);
-  }
-
- private:
-  Stepper stepper_;
-};
-
-// Steps of one length.
-template <class Rates, class Stepper>
-class FixedWalk {
- public:
-  using RatesOf = Rates;
-  using State = typename Rates::State;
-
-  FixedWalk(Rates rates_of, double step) : rates(std::move(rates_of)), step_(step) {}
-
-  void begin(const State& x) {
-    taken_ = 0;
-    at_start_ = at_end_ = x;
-  }
-  void step() {
-    at_start_ = at_end_;
-    stepper_.do_step(std::ref(rates), at_start_, to(), at_end_, step_);
-    ++taken_;
-  }
-  double from() const { return taken_ > 0 ? static_cast<double>(taken_ - 1) * step_ : 0.0; }
-  double to() const { return static_cast<double>(taken_) * step_; }
-  const State& state_at_end() const { return at_end_; }
-  // Seldom called, and kept out of the loop over the steps, which is the quicker for it.
-  [[gnu::noinline]] void between(double s, State& x) {
-    x = at_start_;
-    if (s > from()) stepper_.do_step(std::ref(rates), at_start_, from(), x, s - from());
-  }
-
-  Rates rates;
-
- private:
-  double step_;
-  long long taken_ = 0;
-  State at_start_{}, at_end_{};
-  Stepper stepper_;
-};
-
-// Steps of one length by Stepper where the setting has one; else those that Adaptive decides.
-template <class Stepper, class Adaptive, class Rates>
-std::unique_ptr<StepFlow> fixed_or_adaptive(const Rates& rates, const StepSetting& setting) {
-  using Fixed = FixedWalk<Rates, Stepper>;
-  if (setting.step > 0.0) return std::make_unique<WalkingFlow<Fixed>>(Fixed(rates, setting.step));
-  return std::make_unique<WalkingFlow<Adaptive>>(Adaptive(rates, setting));
-}
-
-// Calls make(rates) with the right-hand side of the modes there are; a few numbers of modes have
-// states of fixed size.
-template <class Make>
-std::unique_ptr<StepFlow> with_rates(const ModalRates& rates, const Make& make) {
-  switch (rates.scale.size()) {
-    case 1:
-      return make(SideBySide<1>(rates));
-    case 2:
-      return make(SideBySide<2>(rates));
-    case 3:
-      return make(SideBySide<3>(rates));
-    case 4:
-      return make(SideBySide<4>(rates));
-    case 8:
-      return make(SideBySide<8>(rates));
-    default:
-      return make(SideBySide<0>(rates));
-  }
-}
 
 }  // namespace step_walk
 }  // namespace graze

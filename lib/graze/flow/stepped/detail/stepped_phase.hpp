@@ -41,13 +41,14 @@ class IntegratedPhase : public ContactPhase<double> {
 
  private:
   // What is watched beside the stops: before them, and after them.
-  virtual void watch_springs(const MotionState<double>& /*now*/, std::vector<Watched>& /*list*/) {}
+  virtual void watch_springs(const MotionState<double>& /*now*/, const Flight<double>& /*flight*/,
+                             std::vector<Watched>& /*list*/) {}
   virtual void watch_joint(const MotionState<double>& /*now*/, std::vector<Watched>& /*list*/) {}
   // A spring that is left at the instant of the start itself.
   virtual std::optional<Arrival<double>> left_at_once(const MotionState<double>& /*now*/) const {
     return {};
   }
-  const Watch& watch_of(int stop, int multiplicity);
+  const Watch& watch_of(int stop, int multiplicity, double sure);
 
   Vector scale_;
   std::vector<Watch> watches_;
