@@ -5,24 +5,26 @@
 # Each job draws its own scenes, from seed FIRST_SEED (default 1000) on. Logs and a summary are left
 # in build/soak; exit 1 when a property failed. Then the program for FUZZ_SECONDS (default 3600)
 # against scenes, options and journals that are nearly right (tests/fuzz), drawn from FIRST_SEED;
-# exit 1 as well when it failed there.
+# exit 1 as well when it failed there. Between the two MIXED_CASES (default 100000) motions against
+# rigid stops and springs at once are compared with an independent integration.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 scenes=${1:-10000} samples=${2:-100000} jobs=${3:-$(nproc)}
 first=${FIRST_SEED:-1000}
 fuzz_seconds=${FUZZ_SECONDS:-3600}
-for number in "$scenes" "$samples" "$jobs" "$first" "$fuzz_seconds"; do
+mixed_cases=${MIXED_CASES:-100000}
+for number in "$scenes" "$samples" "$jobs" "$first" "$fuzz_seconds" "$mixed_cases"; do
   [[ $number =~ ^[1-9][0-9]*$ ]] || { echo "usage: bash tests/soak.sh [SCENES [SAMPLES [JOBS]]]" >&2; exit 2; }
 done
 
 cmake --preset release -DGRAZE_TESTS=ON > /dev/null
-cmake --build --preset release --target test_property fuzz_program
+cmake --build --preset release --target test_property test_motion fuzz_program
 logs=$root/build/soak
 mkdir -p "$logs"
 rm -f "$logs"/seed_*.log
 # What is rebuilt meanwhile shall not change what runs.
-cp build/tests/test_property build/tests/fuzz_program build/graze "$logs"
+cp build/tests/test_property build/tests/test_motion build/tests/fuzz_program build/graze "$logs"
 
 each=$(((scenes + jobs - 1) / jobs))
 pids=()
@@ -76,6 +78,8 @@ awk '
   }' "$logs"/seed_*.log | tee "$logs/summary.txt"
 grep -h -A 60 -E "Falsifiable|Failure" "$logs"/seed_*.log || true
 if [ "$failed" -ne 0 ]; then echo "a property failed; the logs are in $logs" >&2; fi
+GRAZE_MIXED_CASES=$mixed_cases GRAZE_SEED=$first nice "$logs/test_motion" --gtest_filter='MixedContacts.*' ||
+  failed=1
 rm -rf "$logs/fuzz"
 "$logs/fuzz_program" "$logs/graze" "$root/data" "$logs/fuzz" "$first" "$fuzz_seconds" || failed=1
 exit "$failed"
