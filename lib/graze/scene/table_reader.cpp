@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "graze/fem/dof_label.hpp"
 #include "graze/scene/check.hpp"

@@ -271,7 +271,7 @@ void describe(auto& v, Of<Probe> auto& probe, const Scene& scene) {
       matrices ? "a probe of [matrices] has no shape, it must have a node"
                : "a probe of a [beam], [string] or [bar] has no shape, it must have a position");
   v.list(matrices ? shape.or_ignored() : shape, probe.shape);
-  if (!of_hub) describe_node(v, probe, matrices);
+  describe_node(v, probe, matrices && !of_hub);
   v.choice(Key{"quantity", "", kAny,
                "displacement (m) and velocity (m/s) of the point, relative to the clamp, with a "
                "`[hub]` along its arc from angle 0 on; deflection (m) from the line that turns "
