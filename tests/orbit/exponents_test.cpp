@@ -173,6 +173,17 @@ TEST(Exponents, TellChaosAndDecayFromATorus) {
             Wandering::kOpen);
 }
 
+// Decay by a factor e^3 over the average is within the factor 300, but comes nearer to its orbit.
+TEST(Exponents, OfASlowApproachAreNotOfATorus) {
+  const System system = support::forced_oscillator(std::sqrt(2.0), 0.00127, 100.0, 0.3, 0.8, 1.0);
+  const Exponents exponents =
+      lyapunov_exponents(system, support::state_of({1.0}, {0.5}), over(300));
+  const double growth = 300.0 * system.period() * exponents.values[0];
+  EXPECT_NEAR(growth, -0.00127 * 300.0 * system.period(), 0.2);
+  EXPECT_GT(growth, -std::log(300.0));
+  EXPECT_EQ(exponents.wandering, Wandering::kOpen);
+}
+
 TEST(Exponents, OfOtherModesAreKeptWhereTheMotionSticks) {
   const Scene scene = support::shipped_scene(
       "02_wagg_momentum", {"beam.modes=2", "stop.restitution=0.1", "forcing.frequency=42"});

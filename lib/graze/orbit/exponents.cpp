@@ -1,7 +1,9 @@
 #include "graze/orbit/exponents.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -64,6 +66,12 @@ class StroboscopicMotion {
   Eigen::Index rank() const { return rank_; }
   const std::string& failure() const { return failure_; }
   State state() const { return {motion_.q(), motion_.qdot()}; }
+  // By the units of displacement and velocity.
+  Vector scaled_state() const {
+    Vector state(unit_.size());
+    state << motion_.q(), motion_.qdot();
+    return state.cwiseQuotient(unit_);
+  }
 
  private:
   const System& system_;
@@ -126,6 +134,38 @@ Exponents of_multipliers(const System& system, StroboscopicMotion& motion, int t
   return result;
 }
 
+// Whether states at the starts of periods come nearer to repeating. A motion that approaches an
+// orbit slowly, as next to a doubling, has exponents as small as a torus has; but what parts it
+// from itself up to 32 periods before shrinks, and does not on a torus.
+class Returns {
+ public:
+  explicit Returns(long long periods) : half_(periods / 2) {}
+
+  void add(Vector state) {
+    std::array<double, kTurns>& most = most_[count_ < half_ ? 0 : 1];
+    for (std::size_t turn = 0; turn < before_.size(); ++turn)
+      most[turn] = std::max(most[turn], (state - before_[turn]).lpNorm<Eigen::Infinity>());
+    before_.push_front(std::move(state));
+    if (before_.size() > kTurns) before_.pop_back();
+    ++count_;
+  }
+  bool come_nearer() const {
+    for (std::size_t turn = 0; turn < before_.size(); ++turn)
+      if (most_[1][turn] < kAlike * most_[0][turn]) return true;
+    return false;
+  }
+
+ private:
+  static constexpr std::size_t kTurns = 32;
+  // The largest distances on either half of fifty returns to a torus agree to some thousandths; at
+  // a doubling, where the approach is slowest, with the time to the power -3/2, they shrink by
+  // more.
+  static constexpr double kAlike = 0.95;
+  long long half_, count_ = 0;
+  std::deque<Vector> before_;                         // the latest first
+  std::array<std::array<double, kTurns>, 2> most_{};  // of either half
+};
+
 // Over the growth of the leading direction, period by period, as its logarithm.
 class GrowthWatch {
  public:
@@ -135,9 +175,10 @@ class GrowthWatch {
     most_ = std::max(most_, grown_);
   }
   // `largest` and `error`: the exponent and its standard error, 1/s.
-  Wandering verdict(long long periods, double largest, double error) const {
+  Wandering verdict(long long periods, double largest, double error, const Returns& returns) const {
     const double factor = std::log(static_cast<double>(periods));
-    if (most_ - least_ <= factor) return Wandering::kTorus;
+    if (most_ - least_ <= factor)
+      return returns.come_nearer() ? Wandering::kOpen : Wandering::kTorus;
     return grown_ > factor && largest > 3.0 * error ? Wandering::kChaos : Wandering::kOpen;
   }
 
@@ -152,6 +193,7 @@ Exponents of_average(const System& system, StroboscopicMotion& motion,
   GrowingDirections directions(size);
   BlockMean mean(options.periods);
   GrowthWatch watch;
+  Returns returns(options.periods);
   for (long long k = 0; k < options.turning + options.periods; ++k) {
     const std::optional<Matrix> image = motion.carry(directions.now());
     if (!image) break;
@@ -159,6 +201,7 @@ Exponents of_average(const System& system, StroboscopicMotion& motion,
     if (k < options.turning) continue;
     mean.add(growth / system.period());
     watch.add(growth[0]);
+    returns.add(motion.scaled_state());
     result.impacts += motion.impacts();
   }
   result.periods = mean.count();
@@ -170,7 +213,7 @@ Exponents of_average(const System& system, StroboscopicMotion& motion,
     result.values.tail(directions.lost()).setConstant(-std::numeric_limits<double>::infinity());
     sort(result);
     if (result.periods == options.periods)
-      result.wandering = watch.verdict(result.periods, result.values[0], result.errors[0]);
+      result.wandering = watch.verdict(result.periods, result.values[0], result.errors[0], returns);
   }
   finish(motion, result);
   return result;
