@@ -174,10 +174,11 @@ struct CostCommand : MotionOptions {
 };
 
 struct FitCommand : MotionOptions {
-  std::string data;                  // file
-  std::vector<std::string> sought;   // "NAME=LOW:HIGH"
-  std::vector<std::string> columns;  // empty: all
-  std::vector<std::string> sigmas;   // "VALUE" or "COLUMN=VALUE"
+  std::string data;                       // file, or what stands for it
+  std::optional<std::string> given_data;  // its text, where that is in no file
+  std::vector<std::string> sought;        // "NAME=LOW:HIGH"
+  std::vector<std::string> columns;       // empty: all
+  std::vector<std::string> sigmas;        // "VALUE" or "COLUMN=VALUE"
   bool global = false;
   long long max_evaluations = 5000;
 };

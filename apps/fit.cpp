@@ -60,7 +60,7 @@ int run(const FitCommand& command) {
   require_exact(scene);
   FitRecord record;
   record.info = run_info(command.name, command.scene, scene);
-  const std::string text = data_text(command.data);
+  const std::string text = command.given_data ? *command.given_data : data_text(command.data);
   record.data_file = command.data;
   record.data_sha256 = sha256(text);
   const DataTable table(text, command.data);

@@ -20,7 +20,8 @@ for option in "$@"; do
     --mpi) wanted+=(libopenmpi-dev openmpi-bin) ;;
     --python)
       wanted+=(pybind11-dev python3-dev python3-numpy python3-matplotlib python3-pandas
-               python3-pytest mypy python3-nbclient python3-ipykernel)
+               python3-pip python3-setuptools python3-venv python3-wheel python3-pytest mypy
+               python3-nbclient python3-ipykernel)
       ;;
     --deb) wanted+=(dpkg-dev file) ;;
     *) echo "usage: bash apps/install_packages.sh [--tests] [--mpi] [--python] [--deb]" >&2; exit 2 ;;

@@ -56,6 +56,11 @@ Column column_of(WordColumn&& of) {
   column.words = std::move(of.words);
   return column;
 }
+Column column_of(TruthColumn&& of) {
+  std::vector<double> list;
+  for (const std::int8_t code : of.codes) list.push_back(code < 0 ? NAN : code);
+  return numbers(std::move(list));
+}
 Column column_of(std::vector<double>&& of) { return numbers(std::move(of)); }
 Column column_of(std::vector<std::int64_t>&& of) { return numbers({of.begin(), of.end()}); }
 

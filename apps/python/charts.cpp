@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "branches_chart.hpp"
 #include "drawing.hpp"
 #include "graze/report/chart/charts.hpp"
 #include "graze/report/json/detail/json_page.hpp"
@@ -138,7 +139,8 @@ std::optional<Chart> chart_shown(const ModesRecord& record, const Scene& scene) 
   return mode_shapes_chart(scene, record.table.omega);
 }
 std::optional<Chart> chart_shown(const SimulationRecord& record, const Scene&) {
-  if (record.run.amplitudes && record.run.amplitudes->forces) return forces_chart(record);
+  if (record.shown == RunPicture::kReturns) return returns_chart(record);
+  if (record.shown == RunPicture::kForces) return forces_chart(record);
   return {};
 }
 std::optional<Chart> chart_shown(const OrbitRecord& record, const Scene&) {
@@ -159,9 +161,13 @@ std::optional<Chart> chart_shown(const CostRecord& record, const Scene&) {
 std::optional<Chart> chart_shown(const FitRecord& record, const Scene&) {
   return nothing_to_draw(record).empty() ? std::optional(chart_of(record)) : std::nullopt;
 }
-std::optional<Chart> chart_shown(const BranchRecord&, const Scene&) { return {}; }
+std::optional<Chart> chart_shown(const BranchRecord& record, const Scene&) {
+  return branches_chart(record, nullptr);
+}
+std::optional<Chart> chart_shown(const DiagramRecord& record, const Scene&) {
+  return branches_chart(record.branches, &record);
+}
 std::optional<Chart> chart_shown(const LociRecord&, const Scene&) { return {}; }
-std::optional<Chart> chart_shown(const DiagramRecord&, const Scene&) { return {}; }
 std::optional<Chart> chart_shown(const MapRecord&, const Scene&) { return {}; }
 std::optional<Chart> chart_shown(const ComparisonMapRecord&, const Scene&) { return {}; }
 

@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include <map>
+#include <optional>
 
 #include "bindings.hpp"
 #include "command.hpp"
@@ -36,7 +37,8 @@ Command command_of(const std::vector<std::string>& words) {
 }
 
 std::shared_ptr<FoundResult> run_words(const std::vector<std::string>& words,
-                                       const NamedScene& scene, const py::object& progress) {
+                                       const NamedScene& scene, const py::object& progress,
+                                       const std::optional<std::string>& data) {
   Command command = command_of(words);
   std::visit(
       [&](auto& given) {
@@ -48,6 +50,7 @@ std::shared_ptr<FoundResult> run_words(const std::vector<std::string>& words,
           for (const std::string& setting : scene.settings)
             given.arguments.push_back("--set=" + setting);
         }
+        if constexpr (requires { given.given_data; }) given.given_data = data;
       },
       command);
   return run_in_process(std::move(command), progress);

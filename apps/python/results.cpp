@@ -3,16 +3,20 @@
 #include <pybind11/stl.h>
 
 #include <optional>
+#include <utility>
 
 #include "bindings.hpp"
 #include "charts.hpp"
 #include "drawing.hpp"
+#include "graze/base/errors.hpp"
+#include "graze/base/units.hpp"
 #include "graze/report/json/detail/json_page.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/reader.hpp"
 #include "in_process.hpp"
+#include "shown_choice.hpp"
 
 namespace graze {
 namespace {
@@ -57,6 +61,7 @@ py::object values_of(decltype(ResultColumn::values)&& of) {
     for (const std::string& word : listed->words) names.append(words(word));
     return py::make_tuple(array_of(std::move(listed->codes)), names);
   }
+  if (auto* truths = std::get_if<TruthColumn>(&of)) return array_of(std::move(truths->codes));
   if (auto* whole = std::get_if<std::vector<std::int64_t>>(&of)) return array_of(std::move(*whole));
   return array_of(std::move(std::get<std::vector<double>>(of)));
 }
@@ -111,39 +116,43 @@ void check_drawable(const CommonOptions& command, const SimulationRecord& record
         "the run kept none of the motion that a picture shows; give it a folder, out=, or plot()");
 }
 
-void save(const FoundResult& result, const std::string& file) {
-  const AnyRecord& any = record_of(result);
+// The record as `look` sees it: as it is, or a copy that shows something else (--show, --at).
+template <class Look>
+auto showing(const FoundResult& result, const std::string& show, const std::string& at,
+             const Look& look) {
+  if (show.empty() && !at.empty()) throw InputError("--at: it needs --show");
+  if (show.empty()) return std::visit(look, record_of(result));
+  AnyRecord copy = record_of(result);
+  choose_shown({show, at, "the call"}, copy);
+  return std::visit(look, std::as_const(copy));
+}
+
+void save(const FoundResult& result, const std::string& file, const std::string& show,
+          const std::string& at) {
   const py::gil_scoped_release release;
   CommonOptions command;
   command.plot.file = file;
-  std::visit(
-      [&](const auto& record) {
-        check_drawable(command, record);
-        draw(command, record, result.scene());
-      },
-      any);
+  showing(result, show, at, [&](const auto& record) {
+    check_drawable(command, record);
+    draw(command, record, result.scene());
+  });
 }
 
-std::optional<py::dict> chart(const FoundResult& result) {
-  const std::optional<Chart> made = std::visit(
-      [&](const auto& record) { return chart_shown(record, result.scene()); }, record_of(result));
+std::optional<py::dict> chart(const FoundResult& result, const std::string& show,
+                              const std::string& at) {
+  const std::optional<Chart> made = showing(
+      result, show, at, [&](const auto& record) { return chart_shown(record, result.scene()); });
   return made ? std::optional(chart_dict(*made)) : std::nullopt;
 }
 
-// Title and unit of what --show named, where that was measured.
-std::optional<std::pair<std::string, std::string>> shown(const FoundResult& result) {
-  const auto titled = [](const std::optional<Shown>& of, const std::vector<MeasuredPlace>& places) {
-    return of ? std::optional(
-                    std::pair(plain_text(shown_title(*of, places)), shown_unit(*of, places)))
-              : std::nullopt;
-  };
-  const AnyRecord& record = record_of(result);
-  if (const auto* branches = std::get_if<BranchRecord>(&record))
-    return titled(branches->shown, branches->amplitudes.places);
-  if (const auto* diagram = std::get_if<DiagramRecord>(&record))
-    return titled(diagram->branches.shown, diagram->branches.amplitudes.places);
-  if (const auto* map = std::get_if<MapRecord>(&record)) return titled(map->measured, map->places);
-  return {};
+std::optional<py::dict> plane(const FoundResult& result, const std::string& show,
+                              const std::string& at) {
+  return showing(result, show, at, [](const auto& record) -> std::optional<py::dict> {
+    if constexpr (requires { plane_dict(record); })
+      return plane_dict(record);
+    else
+      return {};
+  });
 }
 
 template <class Record>
@@ -198,7 +207,11 @@ void bind_results(py::module_& module) {
       .def("table_names", [](Self self) { return table_names(complete(self)); })
       .def("table", table)
       .def("chart", chart)
-      .def("shown", shown)
+      .def("plane", plane)
+      .def("unit",
+           [](Self self, const std::string& unit) {
+             return unit_in(complete(self).scene().units, unit);
+           })
       .def("save", save);
   module.def("looks", look_dicts);
   module.def("axis_unit", axis_unit_pair);

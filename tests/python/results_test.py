@@ -65,7 +65,11 @@ def test_tables_reach_pandas(results, kind):
         assert list(frame.columns) == table.columns and len(frame) == table.rows
         for column in table.columns:
             values = table[column]
-            if values.dtype != object:
+            if values.dtype == bool:
+                told = frame[column].to_numpy(dtype=float, na_value=np.nan)
+                known = np.ma.filled(np.ma.MaskedArray(values, dtype=float), np.nan)
+                assert frame[column].dtype == "boolean" and np.array_equal(told, known, equal_nan=True)
+            elif values.dtype != object:
                 assert not values.flags.writeable
                 assert np.array_equal(frame[column].to_numpy(), values, equal_nan=True)
             else:

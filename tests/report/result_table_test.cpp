@@ -10,6 +10,7 @@ namespace {
 
 using Whole = std::vector<std::int64_t>;
 using Numbers = std::vector<double>;
+using Truths = std::vector<std::int8_t>;
 
 TEST(ResultTable, ColumnsHaveTheTypeOfTheirCells) {
   ResultTable table("id,stable,speed,label,period");
@@ -20,7 +21,7 @@ TEST(ResultTable, ColumnsHaveTheTypeOfTheirCells) {
   ASSERT_EQ(columns.size(), 5U);
   EXPECT_EQ(columns[0].name, "id");
   EXPECT_EQ(std::get<Whole>(columns[0].values), (Whole{1, 7, -4}));
-  EXPECT_EQ(std::get<Whole>(columns[1].values), (Whole{1, 0, 1}));
+  EXPECT_EQ(std::get<TruthColumn>(columns[1].values).codes, (Truths{1, 0, 1}));
   // Numbers that happen to be whole are numbers all the same.
   const auto& speed = std::get<Numbers>(columns[2].values);
   EXPECT_EQ(speed[0], 2.0);
@@ -42,6 +43,15 @@ TEST(ResultTable, EmptyWordsAreNoValueWhereverTheyStand) {
   const std::vector<ResultColumn> columns = table.take_columns();
   EXPECT_EQ(std::get<WordColumn>(columns[0].values).codes,
             (std::vector<std::int32_t>{-1, -1, 0, -1, -1}));
+}
+
+TEST(ResultTable, TruthsThatAreNotKnownAreMissingWhereverTheyStand) {
+  ResultTable table("stable,sure");
+  table.add(std::optional<bool>(), true).add(false, false).add(std::optional<bool>(), true);
+  EXPECT_EQ(csv_text(table), "stable,sure\n,1\n0,0\n,1\n");
+  const std::vector<ResultColumn> columns = table.take_columns();
+  EXPECT_EQ(std::get<TruthColumn>(columns[0].values).codes, (Truths{-1, 0, -1}));
+  EXPECT_EQ(std::get<TruthColumn>(columns[1].values).codes, (Truths{1, 0, 1}));
 }
 
 TEST(ResultTable, ColumnsOfAnEmptyTableAreNumbers) {

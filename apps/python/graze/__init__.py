@@ -1,7 +1,7 @@
 """Graze: motions, periodic orbits, branches and bifurcations of impacting flexible structures.
 
 >>> import graze
->>> scene = graze.Scene.load("data/scenes/05_wagg_one_mode.toml")
+>>> scene = graze.Scene.load(graze.example("scenes/05_wagg_one_mode.toml"))
 >>> graze.simulate(scene, periods=20).events["speed"]  # m/s
 
 Every function takes a scene (a Scene, a file or a dict) and the options of the program's command of
@@ -15,7 +15,11 @@ from .comparisons import Comparison, ComparisonMap, Sensitivity, compare
 from .costs import Cost, cost
 from .diagrams import Diagram, RunDiagram, diagram
 from .equations import Branch, SpecialPoint, continuation
-from .errors import Error, FileError, GrazeWarning, NumericsError, OptionError, SceneError
+from .entry import Entry
+from .errors import (
+    Error, FileError, GrazeWarning, NoSuchName, NumericsError, OptionError, SceneError,
+)
+from .examples import example
 from .fits import Fit, fit
 from .locus_curves import Loci, loci
 from .mode_tables import Check, Modes, check, modes
@@ -27,9 +31,10 @@ from .stored import merge, view
 from .table import Table
 
 __all__ = [
-    "Branch", "Branches", "Check", "Comparison", "ComparisonMap", "Cost", "Diagram", "Error",
-    "FileError", "Fit", "GrazeWarning", "Loci", "Map", "Modes", "NumericsError", "OptionError",
+    "Branch", "Branches", "Check", "Comparison", "ComparisonMap", "Cost", "Diagram", "Entry",
+    "Error", "FileError", "Fit", "GrazeWarning", "Loci", "Map", "Modes", "NoSuchName", "NumericsError",
+    "OptionError",
     "Orbits", "Result", "RunDiagram", "Scene", "SceneError", "Sensitivity", "Simulation",
     "SpecialPoint", "Table", "__version__", "check", "compare", "continuation", "continue_", "cost",
-    "diagram", "fit", "loci", "map", "merge", "modes", "orbit", "simulate", "view",
+    "diagram", "example", "fit", "loci", "map", "merge", "modes", "orbit", "simulate", "view",
 ]

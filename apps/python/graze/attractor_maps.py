@@ -11,16 +11,20 @@ from .words import PathLike, Progress, SceneLike, Settings
 
 @result_kind("map")
 class Map(Result):
-    """What the motion settles on in every cell: tables "map" (peak_speed in m/s, exponent in 1/s) and
-    "loci"."""
+    """What the motion settles on in every cell, a list of the cells; tables "map" (a cell a row:
+    peak_speed in m/s, exponent in 1/s) and "loci"."""
 
     main_table = "map"
+    asked_by = {"loci": 'locus="all"'}
 
-    def plot(self, axes: Any = None) -> Any:
-        """A colour for each attractor, or a scale of colours for what `show` named."""
-        from .map_plot import plot_map
+    def plot(self, axes: Any = None, *, show: Optional[str] = None, at: Optional[str] = None) -> Any:
+        """A colour for each attractor, or a scale of colours for what `show` names: "impacts", "exponent",
+        "speed", "stuck", or what was measured at the place `at`."""
+        from .map_plot import plot_plane
 
-        return plot_map(self, axes)
+        plane = self._found.plane(show or "", at or "")
+        assert plane is not None
+        return plot_plane(self, plane, axes)
 
 
 @command("map")

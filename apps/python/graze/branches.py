@@ -2,26 +2,23 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, Sequence, Union
+from typing import Optional, Sequence, Union
 
 from .command import command, result_kind
 from .result import Result
+from .table import Table
 from .words import PathLike, Progress, SceneLike, Settings
 
 
 @result_kind("branches")
 class Branches(Result):
-    """Branches of orbits: tables "branches" (value in the parameter's unit, phase in rad, speed in m/s)
-    and "special"."""
+    """Branches of orbits, each a table of its points; all of them in the table "branches" (value in the
+    parameter's unit, phase in rad, speed in m/s), special points in "special"."""
 
     main_table = "branches"
 
-    def plot(self, axes: Any = None) -> Any:
-        """Speed of the first impact, or what `show` named, over the parameter, with stability and
-        special points."""
-        from .branch_plot import plot_branches
-
-        return plot_branches(self, axes)
+    def _list(self) -> Sequence[Table]:
+        return self._by("branch")
 
 
 @command("continue")

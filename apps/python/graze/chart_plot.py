@@ -12,11 +12,16 @@ from .picture_style import add_legend, label, line_style, new_figure
 def plot_chart(chart: Dict[str, Any], axes: Any = None) -> Any:
     rows = chart["rows"]
     if axes is not None:
-        if len(rows) != 1 or len(rows[0]) != 1:
-            raise ValueError("axes: this picture has several panels; leave it out")
-        _draw_panel(axes, rows[0][0])
-        add_legend(axes.figure, axes)
-        return axes.figure
+        given = np.atleast_1d(np.asarray(axes, dtype=object)).ravel()
+        panels = [panel for row in rows for panel in row]
+        if len(given) != len(panels):
+            raise ValueError(
+                f"axes: this picture has {len(panels)} panels; give a list of as many, or leave it out"
+            )
+        for cell, panel in zip(given, panels):
+            _draw_panel(cell, panel)
+        add_legend(given[0].figure, given[0])
+        return given[0].figure
     columns = max(len(row) for row in rows)
     heights = [max(panel["height"] for panel in row) for row in rows]
     figure, grid = new_figure(len(rows), columns, heights)
@@ -25,8 +30,16 @@ def plot_chart(chart: Dict[str, Any], axes: Any = None) -> Any:
             _draw_panel(cell, panel)
         for unused in cells[len(row):]:
             unused.set_axis_off()
+    for upper, lower, cells in zip(rows, rows[1:], grid):
+        if len(upper) == len(lower) == 1 and _one_axis(upper[0]["x"], lower[0]["x"]):
+            cells[0].set_xlabel("")
     add_legend(figure, None)
     return figure
+
+
+def _one_axis(upper: Dict[str, Any], lower: Dict[str, Any]) -> bool:
+    """Whether panels one below the other share the name of their axis."""
+    return all(upper[key] == lower[key] for key in ("name", "unit", "range")) and bool(upper["range"])
 
 
 def _draw_panel(axes: Any, panel: Dict[str, Any]) -> None:

@@ -12,7 +12,8 @@ import warnings
 from typing import Any, Callable, Dict, List, Mapping, Optional, Type, TypeVar
 
 from . import _core
-from .errors import GrazeWarning, NumericsError, OptionError
+from .errors import GrazeWarning, NumericsError, OptionError, did_you_mean, in_python
+from .measurements import table_text
 from .result import Result
 from .scene import scene_from, toml_value
 
@@ -38,7 +39,7 @@ def result_kind(kind: str) -> Callable[[Type[Result]], Type[Result]]:
 
 def command(name: str, **unless_given: Any) -> Callable[[Function], Function]:
     """A function whose signature names options of a command of the program. Its docstring ends with
-    what the program says of them. `unless_given`: options that the function has and the program
+    what they mean. `unless_given`: options that the function has and the program
     does not."""
 
     def decorate(function: Function) -> Function:
@@ -48,9 +49,10 @@ def command(name: str, **unless_given: Any) -> Callable[[Function], Function]:
 
         @functools.wraps(function)
         def run(scene: Any, *data: Any, **options: Any) -> Any:
-            unknown = [key for key in options if key not in known]
-            if unknown or len(data) > takes_data:
-                signature.bind(scene, *data, **options)  # says what is wrong
+            for key in options:
+                if key not in known:
+                    near = did_you_mean(key + "_" if key + "_" in known else key, known)
+                    raise TypeError(f"graze.{function.__name__} has no keyword {key!r}{near}")
             if takes_data and not data and "data" in options:
                 data = (options.pop("data"),)
             missing = [
@@ -59,7 +61,7 @@ def command(name: str, **unless_given: Any) -> Callable[[Function], Function]:
                 if parameter.default is parameter.empty and key not in _OWN and key not in options
             ]
             if missing or len(data) != takes_data:
-                signature.bind(scene, *data, **options)
+                signature.bind(scene, *data, **options)  # says what is wrong
             return _run(name, scene, data, {**unless_given, **options})
 
         run.__doc__ = _documented(name, function.__doc__ or "", signature)
@@ -72,13 +74,18 @@ def _run(name: str, scene: Any, data: Any, options: Dict[str, Any]) -> Any:
     given = scene_from(scene, options.pop("set", None))
     progress = _progress_of(name, options.pop("progress", None))
     words = [name, "scene"]
+    table: Optional[str] = None
     if data:
-        file = os.fspath(data[0])
-        words.append(file if not file.startswith("-") else os.path.join(".", file))
+        if isinstance(data[0], (str, os.PathLike)):
+            file = os.fspath(data[0])
+            words.append(file if not file.startswith("-") else os.path.join(".", file))
+        else:
+            words.append("measurements")
+            table = table_text(data[0])
     for key, value in options.items():
         words += option_words(key, value)
     try:
-        found = _core.run(words, given._named, progress)
+        found = _core.run(words, given._named, progress, table)
     except BaseException as error:  # Ctrl-C, or what `progress` raised
         reached = getattr(error, "result", None)
         if isinstance(reached, _core.FoundResult):
@@ -145,6 +152,12 @@ def _progress_of(name: str, progress: Any) -> Optional[Callable[[float], None]]:
             raise OptionError("progress: True or a function of a number from 0 to 1 is wanted")
         return progress
 
+    return _line_of(name) if sys.stderr.isatty() else _tenths_of(name)
+
+
+def _line_of(name: str) -> Callable[[float], None]:
+    """One line of a terminal, written over and over."""
+
     def show(fraction: float) -> None:
         end = "\r\033[K" if fraction >= 1.0 else ""
         sys.stderr.write(f"\r{name} {100.0 * fraction:3.0f} %\033[K{end}")
@@ -153,13 +166,39 @@ def _progress_of(name: str, progress: Any) -> Optional[Callable[[float], None]]:
     return show
 
 
+def _tenths_of(name: str) -> Callable[[float], None]:
+    """A line for every tenth, for a file, a pipe or a notebook."""
+    told = 0
+
+    def show(fraction: float) -> None:
+        nonlocal told
+        if int(10.0 * fraction) > told:
+            told = int(10.0 * fraction)
+            sys.stderr.write(f"{name} {10 * told} %\n")
+            sys.stderr.flush()
+
+    return show
+
+
+#: In place of what the program says of its options.
+_TOLD = {
+    "set": 'keys of the scene to replace or add, {"stop.gap": 2e-3}',
+    "progress": "True for a line on stderr, or a function that is called with a number from 0 to 1",
+}
+
+
 def _documented(name: str, text: str, signature: inspect.Signature) -> str:
-    told = {option: what for option, what, _, _ in _core.options(name)}
-    lines = [inspect.cleandoc(text), "", "Keywords, as the program's options of these names:"]
-    for key in signature.parameters:
-        what = told.get(key.rstrip("_").replace("_", "-"))
-        if what:
-            lines += textwrap.wrap(
-                f"{key}: {what}", 96, initial_indent="    ", subsequent_indent="        "
-            )
+    told = {option.replace("-", "_"): what for option, what, _, _ in _core.options(name)}
+    lines = [inspect.cleandoc(text), "", "Keywords:"]
+    for key, parameter in signature.parameters.items():
+        what = _TOLD.get(key) or in_python(told.get(key.rstrip("_"), ""))
+        if not what:
+            continue
+        what = what[0].lower() + what[1:] if what[1:2].islower() else what
+        default = parameter.default
+        if "default" not in what and default is not parameter.empty and default not in (None, False):
+            what += f" (default: {default!r})"
+        lines += textwrap.wrap(
+            f"{key}: {what}", 96, initial_indent="    ", subsequent_indent="        "
+        )
     return "\n".join(lines) + "\n"

@@ -22,11 +22,13 @@ class ComparisonMap(Result):
 
     main_table = "comparison"
 
-    def plot(self, axes: Any = None) -> Any:
-        """Where both motions settle on the same, or the difference that `show` named."""
-        from .map_plot import plot_comparison
+    def plot(self, axes: Any = None, *, show: Optional[str] = None, at: Optional[str] = None) -> Any:
+        """Where both motions settle on the same, or the difference that `show` names."""
+        from .map_plot import plot_plane
 
-        return plot_comparison(self, axes)
+        plane = self._found.plane(show or "", at or "")
+        assert plane is not None
+        return plot_plane(self, plane, axes)
 
 
 @result_kind("sensitivity")

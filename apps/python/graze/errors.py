@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import re
-from typing import Any, Optional
+from difflib import get_close_matches
+from typing import Any, Iterable, Optional
+
+
+_COMMANDS = "check|modes|simulate|orbit|continue|diagram|map|merge|view|cost|fit|compare"
 
 
 class Error(Exception):
@@ -11,7 +15,7 @@ class Error(Exception):
     calls as the package does, "from_"."""
 
     def __init__(self, sentence: str = "") -> None:
-        super().__init__(re.sub(r"--([a-z][a-z-]*)", _as_keyword, sentence))
+        super().__init__(in_python(sentence))
 
 
 class SceneError(Error, ValueError):
@@ -42,10 +46,42 @@ class NumericsError(Error, ArithmeticError):
         self.result = result
 
 
+class NoSuchName(Error, KeyError):
+    """A table, column or value that a result does not have."""
+
+    __str__ = Exception.__str__  # that of KeyError puts the sentence in quotes
+
+
 class GrazeWarning(UserWarning):
     """What is to be known of a result that was computed all the same."""
 
 
+def did_you_mean(name: str, known: Iterable[str]) -> str:
+    """Behind what says that there is no such name: the nearest that there is."""
+    near = get_close_matches(name, list(known), 1)
+    return f"; did you mean {near[0]!r}?" if near else ""
+
+
+def unknown_name(what: str, name: Any, known: Iterable[str]) -> NoSuchName:
+    """What is raised for it, with all names where none is near."""
+    names = [str(one) for one in known]
+    near = did_you_mean(str(name), names)
+    others = f"; there is {', '.join(names)}" if names else "; there is none"
+    return NoSuchName(f"there is no {what} {name!r}{near or others}")
+
+
+def in_python(sentence: str) -> str:
+    """What the program says of its options and commands, of keywords and functions."""
+    sentence = re.sub(r"--([a-z][a-z-]*)", _as_keyword, sentence)
+    sentence = re.sub(rf"\bgraze ({_COMMANDS})\b", lambda at: f"graze.{_keyword(at.group(1))}", sentence)
+    sentence = sentence.replace("several with commas", "one or a list of them")
+    return sentence.replace("with commas", "a list")
+
+
 def _as_keyword(option: "re.Match[str]") -> str:
-    name = option.group(1).replace("-", "_")
+    return _keyword(option.group(1))
+
+
+def _keyword(option: str) -> str:
+    name = option.replace("-", "_")
     return name + "_" if name in ("from", "continue") else name

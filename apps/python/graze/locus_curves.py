@@ -6,19 +6,26 @@ from typing import Any, Optional, Sequence, Union
 
 from .command import command, result_kind
 from .result import Result
+from .table import Table
 from .words import PathLike, Progress, SceneLike, Settings
 
 
 @result_kind("loci")
 class Loci(Result):
-    """Loci: tables "loci" and "special" (value, second in the parameters' units), "regions"."""
+    """Loci, each a table of its points; all of them in the table "loci", points of codimension two in
+    "special" (value, second in the parameters' units), and "regions"."""
 
     main_table = "loci"
+    asked_by = {"regions": "regions=100"}
 
-    def plot(self, axes: Any = None) -> Any:
+    def _list(self) -> Sequence[Table]:
+        return self._by("locus")
+
+    def plot(self, axes: Any = None, *, show: Optional[str] = None, at: Optional[str] = None) -> Any:
         """The loci in the plane of the two parameters."""
         from .branch_plot import plot_loci
 
+        self._found.chart(show or "", at or "")  # says that there is nothing to choose
         return plot_loci(self, axes)
 
 

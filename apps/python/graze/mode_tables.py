@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any, Optional, Sequence
 
 import numpy as np
 
 from .command import command, result_kind
+from .entry import Entry
 from .result import Result
 from .words import PathLike, Progress, SceneLike, Settings
 
 
 @result_kind("modes")
 class Modes(Result):
-    """Natural modes: `frequencies` in rad/s, `decay_rates` in 1/s; document["directions"] holds
-    effective masses in kg."""
+    """Natural modes, a list of them: `frequencies` in rad/s, `decay_rates` in 1/s; document["directions"]
+    holds effective masses in kg."""
 
     main_table = ""
+
+    def _list(self) -> Sequence[Entry]:
+        return self._of_document("modes")
 
     @property
     def frequencies(self) -> np.ndarray:

@@ -10,8 +10,6 @@ from .picture_style import add_legend, label, looks, new_figure, one_axes, unit_
 
 
 def plot_motion(result: Any, axes: Any = None) -> Any:
-    if "section" in result.tables:
-        return _plot_section(result, axes)
     if "samples" in result.tables and result.scene.stops > 0:
         return _plot_gaps(result, axes)
     if "events" not in result.tables:
@@ -30,7 +28,7 @@ def _plot_gaps(result: Any, axes: Any) -> Any:
     impacts = np.isin(events["kind"], ["impact", "contact"])
     for stop, (cell,) in enumerate(grid, start=1):
         gap = samples[f"gap{stop}"]
-        factor, unit = unit_for("m", gap)
+        factor, unit = unit_for(result._found.unit("m"), gap)
         cell.plot(samples["time"], factor * gap, color=looks()["curves"][0], linewidth=0.9)
         at = events["time"][impacts & (events["stop"] == stop)]
         cell.plot(
@@ -38,7 +36,7 @@ def _plot_gaps(result: Any, axes: Any) -> Any:
         )
         cell.axhline(0.0, color="#999999", linewidth=0.6)
         cell.set_ylabel(label(f"gap {stop}" if result.scene.stops > 1 else "gap", unit))
-    grid[-1][0].set_xlabel("time (s)")
+    grid[-1][0].set_xlabel(label("time", result._found.unit("s")))
     add_legend(figure, axes)
     return figure
 
@@ -48,7 +46,7 @@ def _plot_speeds(result: Any, axes: Any) -> Any:
     events = result.events
     impacts = np.isin(events["kind"], ["impact", "contact"])
     speed = events["speed"][impacts]
-    factor, unit = unit_for("m/s", speed)
+    factor, unit = unit_for(result._found.unit("m/s"), speed)
     stops = events["stop"][impacts]
     for stop in range(1, result.scene.stops + 1):
         of = stops == stop
@@ -57,18 +55,18 @@ def _plot_speeds(result: Any, axes: Any) -> Any:
             events["time"][impacts][of], factor * speed[of], ".", color=colour, markersize=3.0,
             label=f"stop {stop}",
         )
-    cell.set_xlabel("time (s)")
+    cell.set_xlabel(label("time", result._found.unit("s")))
     cell.set_ylabel(label("impact speed", unit))
     add_legend(figure, axes)
     return figure
 
 
-def _plot_section(result: Any, axes: Any) -> Any:
+def plot_section(result: Any, axes: Any) -> Any:
     figure, cell = one_axes(axes)
     section = result.table("section")
     across, up = section.columns[2:]
     units = {"phase": "rad", "speed": "m/s", "displacement": "m", "velocity": "m/s"}
-    scaled = [(unit_for(units[name], section[name]), section[name]) for name in (across, up)]
+    scaled = [(unit_for(result._found.unit(units[name]), section[name]), section[name]) for name in (across, up)]
     (x_unit, x), (y_unit, y) = scaled
     for stop in np.unique(section["stop"]):
         of = section["stop"] == stop

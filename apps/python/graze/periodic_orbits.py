@@ -5,16 +5,21 @@ from __future__ import annotations
 from typing import Optional, Sequence, Union
 
 from .command import command, result_kind
+from .entry import Entry
 from .result import Result
 from .words import PathLike, Progress, SceneLike, Settings
 
 
 @result_kind("orbits")
 class Orbits(Result):
-    """Periodic orbits: tables "orbits" (an impact a row: phase in rad, speed in m/s), "profiles" (their
-    motions), "stuck", "contacts"."""
+    """Periodic orbits, each with its period, phases (rad), speeds (m/s), multipliers, stable; tables
+    "orbits" (an impact a row: phase in rad, speed in m/s), "profiles" (their motions), "stuck",
+    "contacts"."""
 
     main_table = "orbits"
+
+    def _list(self) -> Sequence[Entry]:
+        return self._of_document("orbits")
 
 
 @command("orbit")

@@ -21,8 +21,8 @@ class Scene:
 
     @classmethod
     def load(cls, path: Union[str, "os.PathLike[str]"], set: Settings = None) -> "Scene":
-        """Reads a scene file (TOML). `set` replaces or adds keys: {"stop.gap": 2e-3}, or as the
-        program's --set takes them, "stop.gap=2e-3". Raises SceneError and FileError."""
+        """Reads a scene file (TOML). `set` replaces or adds keys: {"stop.gap": 2e-3}, or
+        "stop.gap=2e-3", or a list of such. Raises SceneError and FileError."""
         return cls(_of_scene(_core.load_scene, os.fspath(path), settings_of(set)))
 
     @classmethod

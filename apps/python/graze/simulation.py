@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any, Optional, Sequence
 
 from .command import command, result_kind
 from .result import Result
@@ -12,10 +12,16 @@ from .words import PathLike, Progress, SceneLike, Settings
 
 @result_kind("simulation")
 class Simulation(Result):
-    """A motion. Table "events": time in s, speed in m/s, phase in rad, energy_change in J, force in N;
-    with record="samples" also "samples": q in kg^1/2 m, gap in m, force in N; "section", "forces"."""
+    """A motion, a list of its events. Table "events": time in s, speed in m/s, phase in rad, energy_change
+    in J, force in N; with record="samples" also "samples": q in kg^1/2 m, gap in m, force in N; with
+    section= "section", with forces= "forces"."""
 
     main_table = "events"
+    asked_by = {
+        "samples": 'record="samples"',
+        "section": 'section="impact"',
+        "forces": "forces=100",
+    }
 
     @property
     def events(self) -> Table:
@@ -24,14 +30,27 @@ class Simulation(Result):
 
     @property
     def samples(self) -> Table:
-        """The motion at equal times; needs record="samples"."""
+        """The motion at equal times. Raises NoSuchName unless the call had record="samples"."""
         return self.table("samples")
 
-    def plot(self, axes: Any = None) -> Any:
-        """The gap of every stop over time with the impacts; or the section, or the forces."""
-        from .motion_plot import plot_motion
+    def _list(self) -> Sequence[Any]:
+        # A run that was read has left its events in a table of its folder.
+        return super()._list() if "events" in self.tables else self._of_document("events")
 
-        return super().plot(axes) if "forces" in self.tables else plot_motion(self, axes)
+    def plot(self, axes: Any = None, *, show: Optional[str] = None, at: Optional[str] = None) -> Any:
+        """The gap of every stop over time with the impacts, or their speeds; or the section, or the forces.
+        `show` chooses: "motion", "section", "returns" (each impact over the one before) or "forces"."""
+        from .motion_plot import plot_motion, plot_section
+
+        if show is None and at is None:
+            show = next((kind for kind in ("forces", "section") if kind in self.tables), "motion")
+        if show == "motion" and at is None:
+            return plot_motion(self, axes)
+        if show == "section" and at is None:
+            if "section" not in self.tables:
+                raise self._without("section")
+            return plot_section(self, axes)
+        return super().plot(axes, show=show, at=at)
 
 
 @command("simulate")

@@ -13,7 +13,7 @@ from .words import PathLike
 
 
 def view(folder: PathLike) -> Result:
-    """The result that out=, or --out of the program, left in a folder, with its tables, document and
+    """The result that `out` left in a folder, with its tables, document and
     pictures; nothing is computed again. How it ended says `outcome`. Events and samples of a run are
     the tables in its folder.
 

@@ -240,7 +240,7 @@ ResultTable special_table(const BranchRecord& record) {
       if (const std::optional<Bracket>& bracket = s.solution.bracket)
         table.add(bracket->from, bracket->to, bracket->converged);
       else
-        table.skip(3);
+        table.skip(2).add(std::optional<bool>());
     }
   return table;
 }

@@ -25,6 +25,8 @@ void write_word(const std::string& word, std::string& text) {
   text += '"';
 }
 
+constexpr std::int8_t kUnknown = -1;  // of truths
+
 struct CellWriter {
   std::size_t row;
   std::string& text;
@@ -39,13 +41,31 @@ struct CellWriter {
     if (list.codes[row] >= 0)
       write_word(list.words[static_cast<std::size_t>(list.codes[row])], text);
   }
+  void operator()(const TruthColumn& list) const {
+    if (list.codes[row] != kUnknown) text += list.codes[row] == 1 ? '1' : '0';
+  }
 };
 
 std::size_t rows_of(const ResultColumn& column) {
-  if (const auto* words = std::get_if<WordColumn>(&column.values)) return words->codes.size();
-  if (const auto* whole = std::get_if<std::vector<std::int64_t>>(&column.values))
-    return whole->size();
-  return std::get<std::vector<double>>(column.values).size();
+  return std::visit(
+      [](const auto& list) {
+        if constexpr (requires { list.codes; })
+          return list.codes.size();
+        else
+          return list.size();
+      },
+      column.values);
+}
+
+// The column as one of codes, of which those of its rows so far, without a value, are -1.
+template <class Coded>
+Coded& coded(ResultColumn& column) {
+  if (!std::holds_alternative<Coded>(column.values)) {
+    Coded none;
+    none.codes.assign(rows_of(column), -1);
+    column.values = std::move(none);
+  }
+  return std::get<Coded>(column.values);
 }
 
 // The column's numbers; whole ones become numbers among others.
@@ -85,9 +105,7 @@ void ResultTable::add_whole(std::int64_t value) {
 void ResultTable::add_word(std::string_view word) {
   auto& places = places_[next_];
   ResultColumn& column = next_column();
-  if (!std::holds_alternative<WordColumn>(column.values))
-    column.values = WordColumn{std::vector<std::int32_t>(rows_of(column), -1), {}};
-  auto& list = std::get<WordColumn>(column.values);
+  auto& list = coded<WordColumn>(column);
   if (word.empty()) {
     list.codes.push_back(-1);
     return;
@@ -98,11 +116,17 @@ void ResultTable::add_word(std::string_view word) {
   list.codes.push_back(at->second);
 }
 
+void ResultTable::add_truth(std::optional<bool> holds) {
+  coded<TruthColumn>(next_column()).codes.push_back(!holds ? kUnknown : *holds ? 1 : 0);
+}
+
 ResultTable& ResultTable::skip(std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     ResultColumn& column = next_column();
     if (auto* words = std::get_if<WordColumn>(&column.values))
       words->codes.push_back(-1);
+    else if (auto* truths = std::get_if<TruthColumn>(&column.values))
+      truths->codes.push_back(kUnknown);
     else
       numbers_of(column).push_back(kNone);
   }

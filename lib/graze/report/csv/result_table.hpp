@@ -20,10 +20,16 @@ struct WordColumn {
   std::vector<std::string> words;
 };
 
+// What holds (1), does not (0), or is not known (-1).
+struct TruthColumn {
+  std::vector<std::int8_t> codes;
+};
+
 struct ResultColumn {
   std::string name;
-  // Whole numbers, where all are and none is missing; numbers, NaN for those that are; or words.
-  std::variant<std::vector<std::int64_t>, std::vector<double>, WordColumn> values;
+  // Whole numbers, where all are and none is missing; numbers, NaN for those that are; words; or
+  // what is true or false.
+  std::variant<std::vector<std::int64_t>, std::vector<double>, WordColumn, TruthColumn> values;
 };
 
 class ResultTable {
@@ -33,7 +39,7 @@ class ResultTable {
 
   // The next cells, from left to right; behind the last column of a row the next one begins. A
   // number that is not finite, an empty optional and an empty word are no value. A column holds
-  // numbers or words, never both.
+  // numbers, words or truths, never two of them; as text true is 1 and false 0.
   template <class... Cells>
   ResultTable& add(const Cells&... cells) {
     (add_cell(cells), ...);
@@ -54,17 +60,24 @@ class ResultTable {
   void add_number(double value);
   void add_whole(std::int64_t value);
   void add_word(std::string_view word);
+  void add_truth(std::optional<bool> holds);
 
   void add_cell(double value) { add_number(value); }
+  template <std::same_as<bool> Truth>
+  void add_cell(Truth holds) {
+    add_truth(holds);
+  }
   template <std::integral Whole>
-  void add_cell(Whole value) {
+  requires(!std::same_as<Whole, bool>) void add_cell(Whole value) {
     add_whole(static_cast<std::int64_t>(value));
   }
   void add_cell(std::string_view word) { add_word(word); }
   void add_cell(std::nullopt_t) { skip(1); }
   template <class Cell>
   void add_cell(const std::optional<Cell>& cell) {
-    if (cell)
+    if constexpr (std::same_as<Cell, bool>)
+      add_truth(cell);
+    else if (cell)
       add_cell(*cell);
     else
       skip(1);
