@@ -83,6 +83,21 @@ TEST(SweepReport, DocumentHasNullForWhatDoesNotExist) {
   EXPECT_EQ(document["sweep"]["ranges"].size(), 3U);
 }
 
+TEST(SweepReport, WhatDoesNotRepeatIsTorusOrChaosWhereExponentsTell) {
+  SweepRow row = periodic_row();
+  row.status = SweepStatus::kNotPeriodic;
+  row.motion.kind = SettledKind::kNotPeriodic;
+  row.motion.period = 0;
+  row.exponents.emplace();
+  for (const auto& [wandering, word] : {std::pair(Wandering::kOpen, "not periodic"),
+                                        {Wandering::kTorus, "torus"},
+                                        {Wandering::kChaos, "chaos"}}) {
+    row.exponents->wandering = wandering;
+    EXPECT_EQ(attractor_label(attractor_class(row)), word);
+    EXPECT_EQ(attractor_kind(attractor_class(row)), word);
+  }
+}
+
 TEST(SweepReport, RangesJoinNeighboursOfOneClass) {
   SweepRow a = periodic_row(), b = periodic_row(), slow = periodic_row();
   b.value = 1.75;

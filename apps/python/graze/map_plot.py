@@ -7,7 +7,7 @@ from typing import Any, Dict
 import numpy as np
 
 from .branch_plot import draw_loci, settle_parameter
-from .picture_style import add_legend, label, one_axes, unit_for
+from .picture_style import STYLE, add_legend, label, one_axes, unit_for
 
 
 def plot_plane(result: Any, plane: Dict[str, Any], axes: Any = None) -> Any:
@@ -41,7 +41,9 @@ def _draw_values(figure: Any, cell: Any, plane: Dict[str, Any]) -> None:
         largest = float(np.abs(values).max()) or 1.0
         look = {"cmap": "RdBu_r", "vmin": -largest, "vmax": largest}
     drawn = cell.pcolormesh(plane["x"], plane["y"], values, shading="nearest", rasterized=True, **look)
-    figure.colorbar(drawn, ax=cell, label=label(plane["title"], unit))
+    bar = figure.colorbar(drawn, ax=cell)
+    bar.set_label(label(plane["title"], unit), fontsize=STYLE["axes.labelsize"])
+    bar.ax.tick_params(labelsize=STYLE["ytick.labelsize"])
 
 
 def _draw_entries(cell: Any, plane: Dict[str, Any]) -> None:
