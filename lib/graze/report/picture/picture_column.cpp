@@ -10,7 +10,8 @@
 namespace graze {
 namespace {
 
-constexpr double kWidth = 12.0;
+constexpr double kSheet = 12.0;  // of which margins are parts
+constexpr double kLowest = 0.3;  // of the height of axes, where there is too little room
 constexpr double kLeft = 2.5, kRight = 0.5, kRightWithLabels = 1.85;
 constexpr double kLegend = 0.65, kNoLegend = 0.3;  // at the head
 constexpr double kBetween = 0.35;                  // two panels over the same time axis
@@ -20,16 +21,21 @@ constexpr double kNamePlace = 0.02;                // of a vertical axis, as a p
 
 }  // namespace
 
-void PanelColumn::lay_out(std::vector<double> panels, bool row, bool legend, bool labels) {
+void PanelColumn::lay_out(const PictureRequest& request, const RunInfo& info,
+                          std::vector<double> panels, bool row, bool legend, bool labels) {
   panels_ = std::move(panels);
   right_ = labels ? kRightWithLabels : kRight;
   top_ = legend ? kLegend : kNoLegend;
-  total_ = std::accumulate(panels_.begin(), panels_.end(), top_) +
-           static_cast<double>(panels_.size() - 1) * kBetween + kAxisText;
-  if (row) total_ += kBetween + kRow + kAxisText;
+  const double axes = std::accumulate(panels_.begin(), panels_.end(), row ? kRow : 0.0);
+  const double text = top_ + static_cast<double>(panels_.size() - 1) * kBetween + kAxisText +
+                      (row ? kBetween + kAxisText : 0.0);
+  canvas_ = canvas_of(request, info, axes + text);
+  canvas_.laid_out = canvas_.height;
+  const double stretch = std::max(canvas_.height - text, kLowest * axes) / axes;
+  for (double& height : panels_) height *= stretch;
+  row_ = stretch * kRow;
+  total_ = text + stretch * axes;
 }
-
-double PanelColumn::proportion() const { return total_ / kWidth; }
 
 void PanelColumn::set_time_axis(const AxisRange& range, const std::string& unit,
                                 const std::string& name) {
@@ -53,9 +59,10 @@ void PanelColumn::begin_panel(const AxisRange& range, const std::string& name,
                               const std::string& unit) {
   height_ = panels_[begun_++];
   vertical_ = range;
-  set_box(kLeft, kWidth - right_);
+  set_box(kLeft, canvas_.width - right_);
   script_.command("set yrange " + range.text());
-  script_.command(fmt::format("set ytics {:.6g}", range.tic_step(height_ < kPanel ? 3 : 6)));
+  script_.command(fmt::format(
+      "set ytics {:.6g}", range.tic_step(tics_within(1.6 * height_, height_ < kPanel ? 3 : 6))));
   name_vertical(name, unit);
   if (begun_ < panels_.size()) return;
   script_.command("set format x '%h'");
@@ -71,15 +78,15 @@ void PanelColumn::end_panel(const std::vector<std::string>& layers) {
 
 void PanelColumn::begin_in_row(std::size_t i, std::size_t count, const AxisRange& x,
                                const AxisRange& y) {
-  height_ = kRow;
+  height_ = row_;
   vertical_ = y;
-  const double width = 0.5 * (kWidth - kLeft - kNextInRow - kRight);
+  const double width = 0.5 * (canvas_.width - kLeft - kNextInRow - kRight);
   if (count == 1)
-    set_box(kLeft, kWidth - right_);
+    set_box(kLeft, canvas_.width - right_);
   else if (i == 0)
     set_box(kLeft, kLeft + width);
   else
-    set_box(kWidth - kRight - width, kWidth - kRight);
+    set_box(canvas_.width - kRight - width, canvas_.width - kRight);
   script_.command("set xrange " + x.text());
   script_.command("set yrange " + y.text());
   script_.command(fmt::format("set xtics {:.6g}", x.tic_step(count == 1 ? 7 : 4)));
@@ -99,7 +106,7 @@ void PanelColumn::set_legend() {
   script_.command(fmt::format(
       "set key at screen {:.4g}, screen {:.4g}*body right center horizontal Left reverse "
       "samplen 1.5 font small",
-      1.0 - right_ / kWidth, 1.0 - 0.5 * kLegend / total_));
+      1.0 - right_ / canvas_.width, 1.0 - 0.5 * kLegend / total_));
 }
 
 void PanelColumn::remark(const std::string& text) {
@@ -121,8 +128,8 @@ void PanelColumn::draw_zero_line() {
 }
 
 void PanelColumn::set_box(double left, double right) {
-  set_margins(script_, {.left = left / kWidth,
-                        .right = 1.0 - right / kWidth,
+  set_margins(script_, {.left = left / kSheet,
+                        .right = (canvas_.width - right) / kSheet,
                         .bottom = 1.0 - (top_ + height_) / total_,
                         .top = top_ / total_});
 }
