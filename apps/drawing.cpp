@@ -165,11 +165,13 @@ void check_plot(const CommonOptions& command, const PictureFeatures& features) {
   if (plot.labels != plain.labels && !features.labels) refuse("--labels", "labels to choose");
   if (plot.multipliers && !features.multipliers) refuse("--multipliers", "branches");
   const bool asks = ranges || scales || plot.labels != plain.labels || plot.multipliers ||
-                    plot.title || plot.style != plain.style;
+                    plot.title || plot.style != plain.style || plot.size || plot.font.points ||
+                    plot.font.family != plain.font.family;
   if (asks && is_page_name(plot.file))
-    throw InputError(plot.file +
-                     ": --title, --style, --labels, ranges, scales and --multipliers are of "
-                     "pictures; a page has tools for what it shows");
+    throw InputError(
+        plot.file +
+        ": --title, --style, --size, --font, --labels, ranges, scales and --multipliers are of "
+        "pictures; a page has tools for what it shows");
 }
 
 void check_plot_of_run(const CommonOptions& command, bool has_section, RunPicture shown) {

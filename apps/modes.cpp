@@ -27,8 +27,7 @@ ModalAssurance compared(const Scene& scene, const std::string& file) {
 int run(const ModesCommand& command) {
   check_plot<ModesRecord>(command);
   const Scene scene = scene_of(command);
-  ModesRecord record{
-      info_of_call(command, scene), mode_table(scene), {}, {}, {}, {"found", ""}};
+  ModesRecord record{info_of_call(command, scene), mode_table(scene), {}, {}, {}, {"found", ""}};
   if (!command.mac.empty()) {
     record.mac_file = command.mac;
     record.mac = compared(scene, command.mac);

@@ -17,8 +17,7 @@ int run(const OrbitCommand& command) {
   const Scene scene = scene_of(command);
   require_exact_flow(scene, "orbits are solved for");
   require_forcing_and_stop(scene);
-  OrbitRecord record{
-      info_of_call(command, scene), assemble(scene), {}, {}, {}, {}, {}};
+  OrbitRecord record{info_of_call(command, scene), assemble(scene), {}, {}, {}, {}, {}};
   record_search(command, record.info);
   record.warnings = system_warnings(scene, record.system);
   warn(command, record.warnings);

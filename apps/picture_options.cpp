@@ -39,6 +39,37 @@ void read_range(const std::string& option, const std::string& text, AxisRequest&
         option, text));
 }
 
+// "W:H" or "W", mm.
+void read_size(const std::string& text, PictureRequest& plot) {
+  const std::size_t colon = text.find(':');
+  // From a thumbnail to a poster.
+  const auto reads = [](const std::string& length, std::optional<double>& into) {
+    return read_end(length, into) && into && *into >= 20.0 && *into <= 2000.0;
+  };
+  std::optional<double> width, height;
+  if (!reads(text.substr(0, colon), width) ||
+      (colon != std::string::npos && !reads(text.substr(colon + 1), height)))
+    throw InputError(fmt::format(
+        "--size: '{}' is not allowed; give width and height in mm, each from 20 to 2000, like "
+        "84:60, or the width alone",
+        text));
+  plot.size = PictureSize{*width, height};
+}
+
+// "FAMILY", "FAMILY,POINTS" or ",POINTS".
+void read_font(const std::string& text, PictureFont& font) {
+  const std::size_t comma = text.find(',');
+  font = {};
+  if (comma != 0) font.family = text.substr(0, comma);
+  if (comma == std::string::npos && !text.empty()) return;
+  if (comma == std::string::npos || !read_end(text.substr(comma + 1), font.points) ||
+      !font.points || !(*font.points >= 2.0 && *font.points <= 100.0))
+    throw InputError(fmt::format(
+        "--font: '{}' is not allowed; give a family, a size of 2 to 100 points, or both, like "
+        "'DejaVu Serif,8' or ,10",
+        text));
+}
+
 }  // namespace
 
 void add_picture(CLI::App* app, CommonOptions& command, const PictureFeatures& features) {
@@ -57,6 +88,14 @@ void add_picture(CLI::App* app, CommonOptions& command, const PictureFeatures& f
   fits(add_choice(app, "--style", plot.style, kPictureStyles,
                   "paper: for the column of a page; slide: twice as large, with heavier lines")
            ->type_name("STYLE"));
+  fits(app->add_option_function<std::string>(
+              "--size", [&plot](const std::string& text) { read_size(text, plot); },
+              "Width and height of the picture, mm, or its width alone")
+           ->type_name("W:H"));
+  fits(app->add_option_function<std::string>(
+              "--font", [&plot](const std::string& text) { read_font(text, plot.font); },
+              "Family of its words, size of the names of its axes in points, or both")
+           ->type_name("FAMILY,POINTS"));
   if (features.labels)
     fits(add_choice(app, "--labels", plot.labels, kLabelChoices,
                     "Words beside the curves: none, the ids of special points, or (p,k) as well")

@@ -134,7 +134,8 @@ TEST(Page, NoTextOfASceneEndsItsScripts) {
                 kOneMode + " --plot " + (scratch / "x.html").string());
   ASSERT_EQ(run.code, 0) << run.err;
   const json view = data_of(read_text(scratch / "x.html"), "view");
-  EXPECT_EQ(view["subtitle"], "</script><b>&");
+  // The scene's title, and what was set.
+  EXPECT_EQ(view["subtitle"], "</script><b>& · title=\"</script><b>&\"");
   EXPECT_NE(view["made"].get<std::string>().find("--set 'title=\"</script><b>&\"'"),
             std::string::npos);
 }

@@ -6,12 +6,10 @@
 #include <complex>
 #include <filesystem>
 #include <fstream>
-#include <map>
-#include <numbers>
 #include <regex>
 #include <sstream>
 
-#include "program.hpp"
+#include "picture_script.hpp"
 
 namespace graze {
 namespace {
@@ -22,36 +20,7 @@ const std::string kOscillator = std::string(GRAZE_SOURCE_DIR) +
 const std::string kOneMode =
     scene("05_wagg_one_mode.toml") + " --parameter forcing.frequency --from 15 --to 120 ";
 
-class PictureOptions : public testing::Test {
- protected:
-  // The script that a command leaves.
-  std::string script(const std::string& command) {
-    const Finished run = run_graze(command + " --quiet --plot " + (scratch / "x.svg").string());
-    EXPECT_EQ(run.code, 0) << run.err;
-    return read_text(scratch / "x.gp");
-  }
-  std::string refusal(const std::string& command) {
-    const Finished run = run_graze(command + " --quiet --plot " + (scratch / "y.svg").string());
-    EXPECT_EQ(run.code, 2) << command;
-    EXPECT_FALSE(std::filesystem::exists(scratch / "y.svg"));
-    return run.err;
-  }
-  // Rows of two numbers of a data set.
-  std::vector<std::pair<double, double>> data(const std::string& name) {
-    std::istringstream text(read_text(scratch / "x.gp.dat"));
-    std::vector<std::pair<double, double>> rows;
-    bool within = false;
-    for (std::string line; std::getline(text, line);) {
-      if (line.starts_with("#")) within = line == "# [" + name + "]";
-      std::istringstream numbers(line);
-      double x = 0.0, y = 0.0;
-      if (within && numbers >> x >> y) rows.emplace_back(x, y);
-    }
-    return rows;
-  }
-
-  ScratchFolder scratch;
-};
+class PictureOptions : public PictureScripts {};
 
 TEST_F(PictureOptions, TheTitleIsTheSceneAndWhatWasSet) {
   const std::string command = "continue " + kOneMode + "--set stop.gap=2e-3 ";
@@ -159,6 +128,36 @@ TEST_F(PictureOptions, AResponseIsRightToAPixelAtItsAntiresonance) {
   EXPECT_GT(largest, 0.99 * closed_form(std::sqrt(1.0 - 2.0 * 1e-4)));
 }
 
+// A column of 84 mm with words of 8 points keeps their room; a script says it in cm.
+TEST_F(PictureOptions, SizesAndFontsAreThoseAskedFor) {
+  const auto drawn = [&](const std::string& file, const std::string& more) {
+    const Finished run =
+        run_graze("continue " + kOneMode + "--quiet --plot " + (scratch / file).string() + more);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return read_text(scratch / "x.gp");
+  };
+  const std::string column = drawn("x.pdf", " --size 84:60 --font 'DejaVu Serif,8'");
+  EXPECT_NE(column.find("font 'DejaVu Serif,11' fontscale 0.726 "), std::string::npos);
+  EXPECT_NE(column.find("size 8.4cm,6cm"), std::string::npos);
+  // Real fonts, not outlines of letters.
+  const std::string pdf = read_text(scratch / "x.pdf");
+  EXPECT_NE(pdf.find("/FontFile"), std::string::npos);
+  EXPECT_EQ(pdf.find("/Type3"), std::string::npos);
+  // Twice as wide is twice as large, words too; 640 pixels are 120 mm.
+  EXPECT_NE(drawn("x.svg", " --size 240")
+                .find("Sans,22' fontscale 1.59 linewidth 2.8 dashlength "
+                      "0.7 size 1280,"),
+            std::string::npos);
+  EXPECT_NE(drawn("x.svg", " --size 120:200 --font ,4")
+                .find("Sans,5.5' fontscale 1.59 linewidth "
+                      "0.7 dashlength 0.7 size 640,1067"),
+            std::string::npos);
+  for (const char* wrong : {"--size 5", "--size 84x60", "--size 84:", "--font ,1", "--font x,y"})
+    EXPECT_NE(refusal("continue " + kOneMode + wrong).find("is not allowed; give"),
+              std::string::npos)
+        << wrong;
+}
+
 // Letters of a label are measured to be .167 cm wide at most, in a panel of 9.36 cm.
 TEST_F(PictureOptions, LabelsCoverNoMarkAndNoOtherLabel) {
   const std::string text = script("continue " + kOneMode + "--follow all --max-step 0.5");
@@ -177,11 +176,11 @@ TEST_F(PictureOptions, LabelsCoverNoMarkAndNoOtherLabel) {
   ASSERT_TRUE(std::regex_search(text, found, std::regex(R"(body = ([0-9.]+))")));
   const double body = picture * std::stod(found[1]);
   const auto margin = [&](const std::string& name) {
-    EXPECT_TRUE(
-        std::regex_search(text, found, std::regex("set " + name + " at screen ([0-9.]+)\\*body")));
+    EXPECT_TRUE(std::regex_search(text, found,
+                                  std::regex("set " + name + " at screen [(]?(?:1-)?([0-9.]+)")));
     return std::stod(found[1]);
   };
-  const double height = body * (margin("tmargin") - margin("bmargin"));
+  const double height = body * (1.0 - margin("tmargin") - margin("bmargin"));
   std::vector<Box> boxes;
   std::istringstream lines(text);
   const std::regex label(R"(set label '([^']+)' at graph ([0-9.]+), graph ([0-9.]+) center)");
@@ -191,7 +190,7 @@ TEST_F(PictureOptions, LabelsCoverNoMarkAndNoOtherLabel) {
     const double half = 0.5 * 0.167 * static_cast<double>(found[1].length());
     boxes.push_back({x - half, x + half, y - 0.12, y + 0.12, found[1]});
   }
-  ASSERT_GT(boxes.size(), 10U);
+  ASSERT_GE(boxes.size(), 4U);
   const auto apart = [](const Box& a, const Box& b) {
     constexpr double kCell = 0.05;  // labels are placed by cells
     return a.right <= b.left + kCell || b.right <= a.left + kCell || a.high <= b.low + kCell ||
@@ -208,9 +207,18 @@ TEST_F(PictureOptions, LabelsCoverNoMarkAndNoOtherLabel) {
         EXPECT_FALSE(at_x > box.left && at_x < box.right && at_y > box.low && at_y < box.high)
             << box.name << " covers the " << kind << " at " << x;
     }
-  EXPECT_EQ(script("continue " + kOneMode + "--labels none").find("'PD1'"), std::string::npos);
+  // Nor does a curve run through one.
+  for (const char* line : {"stable", "unstable"})
+    for (const auto& [x, y] : data(line)) {
+      const double at_x = width * (x - from) / (to - from),
+                   at_y = height * (y - low) / (high - low);
+      for (const Box& box : boxes)
+        EXPECT_FALSE(at_x > box.left && at_x < box.right && at_y > box.low && at_y < box.high)
+            << box.name << " is crossed at " << x;
+    }
+  EXPECT_EQ(script("continue " + kOneMode + "--labels none").find("'PD2'"), std::string::npos);
   const std::string special = script("continue " + kOneMode + "--labels special");
-  EXPECT_NE(special.find("'PD1'"), std::string::npos);
+  EXPECT_NE(special.find("'PD2'"), std::string::npos);
   EXPECT_EQ(special.find("'(1,1)'"), std::string::npos);
 }
 
@@ -265,8 +273,9 @@ TEST_F(PictureOptions, ALogarithmicAxisWithinADecadeHasTics) {
 }
 
 TEST_F(PictureOptions, APageHasNoUseForThem) {
-  for (const char* option : {"--title x", "--style slide", "--labels none", "--x-range 20:60",
-                             "--y-scale log", "--multipliers"}) {
+  for (const char* option :
+       {"--title x", "--style slide", "--size 84", "--font ,9", "--labels none", "--x-range 20:60",
+        "--y-scale log", "--multipliers"}) {
     const std::string page = (scratch / "x.html").string();
     const Finished run = run_graze("continue " + kOneMode + option + " --plot " + page);
     EXPECT_EQ(run.code, 2) << option;
@@ -276,81 +285,6 @@ TEST_F(PictureOptions, APageHasNoUseForThem) {
   EXPECT_NE(
       refusal("continue " + kOneMode + "--y-scale log --y-range -1:2").find("give ends above zero"),
       std::string::npos);
-}
-
-TEST_F(PictureOptions, ShapesStandAtTheTimesAskedForWithinTheRun) {
-  const std::string command =
-      "simulate " + scene("02_wagg_momentum.toml") + " --duration 0.5 --show shapes --shapes-at ";
-  const std::string text = script(command + "0.4,0.1,0.4");
-  EXPECT_LT(text.find("'t = 0.1 s'"), text.find("'t = 0.4 s'"));
-  // At the tip, where the stop is 1.05 mm below, the beam is no lower.
-  for (const char* series : {"row1_1_series1", "row1_1_series2"}) {
-    ASSERT_EQ(data(series).size(), 201U);
-    EXPECT_NEAR(data(series).front().second, 0.0, 1e-12);  // clamped
-    EXPECT_GE(data(series).back().second, -1.05 - 1e-9);
-  }
-  EXPECT_NE(refusal(command + "0.6").find("beyond the end of the run"), std::string::npos);
-}
-
-// Without damping every contact on a spring of stiffness k at the rest position of an oscillator of
-// mass 1 and frequency w is half a period of one of frequency sqrt(w^2 + k): from the speed w it
-// rises to k w / sqrt(w^2 + k).
-TEST_F(PictureOptions, ForcesOfCompliantStopsAreDrawnThemselves) {
-  const std::string command = "simulate " + scene("12_spring_dashpot_oscillator.toml") +
-                              " --set forcing.amplitude=0 --set modal.damping_ratios=[0] --set "
-                              "'stop.spring={stiffness=400.0, exponent=1.0}' --duration 40 "
-                              "--record none --show forces";
-  script(command);
-  const double k = 400.0, peak = k / std::sqrt(1.0 + k), pi = std::numbers::pi;
-  const std::vector<std::pair<double, double>> forces = data("row1_1_series1");
-  int peaks = 0;
-  for (const auto& [time, force] : forces) {
-    EXPECT_LE(force, peak * (1.0 + 1e-8)) << time;
-    EXPECT_GE(force, 0.0) << time;
-    if (force > peak * (1.0 - 1e-8)) ++peaks;
-  }
-  // Half a period of the free motion, then half of the contact's.
-  const double span = forces.back().first - forces.front().first;
-  EXPECT_EQ(peaks, static_cast<int>(span / (pi + pi / std::sqrt(1.0 + k))));
-  script(command + " --forces 100");
-  EXPECT_EQ(data("row1_1_series1").size(), 200U);
-}
-
-// Windows that do not fit the period would let the means of what repeats beat.
-TEST_F(PictureOptions, MeansOfForcesRepeatWithTheForcing) {
-  // Settled on one impact a period.
-  script("simulate " + scene("05_wagg_one_mode.toml") +
-         " --set forcing.frequency=40 --duration 31 --amplitudes-from 30 --record none --show "
-         "forces");
-  const std::vector<std::pair<double, double>> means = data("row1_1_series1");
-  const double length =
-      2.0 * (means.back().first - means.front().first) / static_cast<double>(means.size());
-  const double each = 2.0 * std::numbers::pi / 40.0 / length;
-  EXPECT_NEAR(each, std::round(each), 1e-4);  // times are written with nine digits
-  const auto stride = static_cast<std::size_t>(2 * std::lround(each));
-  ASSERT_GT(means.size(), 4 * stride);
-  for (std::size_t i = stride; i < means.size(); ++i)
-    EXPECT_NEAR(means[i].second, means[i - stride].second, 1e-6) << means[i].first;
-}
-
-TEST_F(PictureOptions, ForcesOfManyStopsAreRowsInOneScale) {
-  // Five stops of one oscillator at different gaps: the nearest takes all impacts.
-  std::string command =
-      "simulate " + scene("04_impact_oscillator.toml") + " --periods 5 --show forces --forces 50";
-  for (int i = 2; i <= 5; ++i)
-    command += " --set 'stop." + std::to_string(i) +
-               "={shape=[1.0], gap=" + std::to_string(10 * i) + ", restitution=0.5}'";
-  script(command);
-  // Two ends of 50 windows; the largest force is 0.9 of the distance between rows.
-  ASSERT_EQ(data("row1_1_series1").size(), 100U);
-  double largest = 0.0;
-  for (const auto& [time, level] : data("row1_1_series1")) largest = std::max(largest, level);
-  EXPECT_NEAR(largest, 1.9, 1e-9);
-  for (const auto& [time, level] : data("row1_1_series5")) EXPECT_EQ(level, 5.0);
-  EXPECT_EQ(run_graze("simulate " + scene("04_impact_oscillator.toml") +
-                      " --set stop=[] --show forces --plot x.png")
-                .code,
-            2);
 }
 
 TEST_F(PictureOptions, APlaneHasTwoParameters) {
@@ -365,33 +299,6 @@ TEST_F(PictureOptions, APlaneHasTwoParameters) {
                     .code,
                 2)
           << command << axes;
-}
-
-// The samples of the table do not change with the picture, which takes more of them.
-TEST_F(PictureOptions, RecordedSamplesAreTheSameWithAPicture) {
-  const auto samples = [&](const std::string& more) {
-    const std::string folder = (scratch / "out").string();
-    const Finished run = run_graze("simulate " + scene("05_wagg_one_mode.toml") +
-                                   " --periods 20 --record samples --out " + folder + more);
-    EXPECT_EQ(run.code, 0) << run.err;
-    return read_text(scratch / "out" / "samples.csv");
-  };
-  const std::string plain = samples("");
-  EXPECT_EQ(samples(" --energy --plot " + (scratch / "x.svg").string()).size() > plain.size(),
-            true);
-  const std::string drawn = samples(" --plot " + (scratch / "x.svg").string());
-  std::istringstream a(plain), b(drawn);
-  std::string line_a, line_b;
-  std::size_t rows = 0;
-  std::getline(a, line_a), std::getline(b, line_b);
-  for (; std::getline(a, line_a); ++rows) {
-    ASSERT_TRUE(std::getline(b, line_b));
-    EXPECT_TRUE(line_b.starts_with(line_a)) << line_a << "\n" << line_b;
-  }
-  EXPECT_FALSE(std::getline(b, line_b));
-  EXPECT_EQ(rows, 2000U);
-  // Four hundred samples a forcing period, twelve of them.
-  EXPECT_GT(data("displacement1").size(), 4000U);
 }
 
 }  // namespace

@@ -58,6 +58,23 @@ double luminance(const std::string& colour) {
   return sum;
 }
 
+// CIE 1976 lightness, 0 to 100: what is left of a colour in grey print.
+double lightness(const std::string& colour) { return 116.0 * std::cbrt(luminance(colour)) - 16.0; }
+
+// Two greys side by side differ by 2 of lightness; a fill on white, with no edge, by 7 or so.
+TEST(Looks, OfPaleFillsAreToldApartInGreyPrint) {
+  EXPECT_GE(std::abs(lightness(kStopShade) - lightness(kStuckShade)), 5.0);
+  for (const Look& one : ground_looks()) {
+    if (one.id == "blank") continue;
+    EXPECT_LE(lightness(one.colour), 93.0) << one.id;
+    for (const Look& other : ground_looks()) {
+      if (&one == &other || lightness(one.colour) <= 77.0) continue;
+      EXPECT_GE(std::abs(lightness(one.colour) - lightness(other.colour)), 2.0)
+          << one.id << " and " << other.id;
+    }
+  }
+}
+
 // Words upon them are read: a contrast of 4.5, as the Web Content Accessibility Guidelines 2.1 ask.
 TEST(Looks, OfGroundsCarryBlackWordsButForWhatIsWild) {
   std::set<std::string> colours;

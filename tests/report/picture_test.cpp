@@ -214,19 +214,6 @@ TEST(LabelCurves, KeepsItsDistance) {
   for (std::size_t i = 1; i < places.size(); ++i) EXPECT_GT(places[i] - places[i - 1], 0.0999);
 }
 
-TEST(AxisUnit, KeepsNumbersShort) {
-  const auto expect_unit = [](const char* si, double largest, const char* unit, double factor) {
-    EXPECT_EQ(axis_unit(si, largest).unit, unit);
-    EXPECT_DOUBLE_EQ(axis_unit(si, largest).factor, factor);
-  };
-  expect_unit("N", 0.1, "mN", 1e3);
-  expect_unit("N", 3.0, "N", 1.0);
-  expect_unit("J", 4e-5, "µJ", 1e6);
-  expect_unit("J", 0.1, "mJ", 1e3);
-  expect_unit("m", 1.05e-3, "mm", 1e3);
-  expect_unit("m", 2e-14, "10^{-15} m", 1e15);
-}
-
 // A branch of orbits with two impacts a period; from the fourth point on the second of them has the
 // smaller phase and comes first.
 BranchRecord relabelled_branch() {

@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 // The file is an object of two lines and a bracket: who made it and how it was called, and the
 // values, which are the same however often the work was stopped and resumed.
-constexpr std::string_view kBetween = ",\n\"values\": ", kEnd = "\n}\n";
+constexpr std::string_view kBetween = ",\n\"values\": ", kRecordEnd = "\n}\n";
 constexpr std::size_t kWhole = std::numeric_limits<std::size_t>::max() / 2;
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
@@ -93,7 +93,7 @@ std::string record_file_text(const RunInfo& info, std::size_t kind, const std::s
   text.pop_back();
   text += kBetween;
   text += values;
-  text += kEnd;
+  text += kRecordEnd;
   return text;
 }
 
@@ -138,8 +138,8 @@ StoredResult read_result(const std::filesystem::path& place) {
     refuse(file,
            fmt::format("it was written by graze {}, and this is {}", head.version, version()));
   std::string_view values = whole.substr(between + kBetween.size());
-  if (!values.ends_with(kEnd)) refuse(file, "it was cut short");
-  values.remove_suffix(kEnd.size());
+  if (!values.ends_with(kRecordEnd)) refuse(file, "it was cut short");
+  values.remove_suffix(kRecordEnd.size());
   if (checksum(values) != head.checksum) refuse(file, "it is damaged");
   const std::filesystem::path scene_file = result.folder / kSceneFile;
   const std::string scene_text = text_in(scene_file);

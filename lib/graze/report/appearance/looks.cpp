@@ -54,7 +54,8 @@ Look dot(const char* id, const char* title, const char* colour) {
 }
 const std::vector<Look> kDots = {
     dot("periodic", "sweep: periodic", kBlack), dot("wild", "sweep: not periodic", kGrey),
-    dot("largest", "largest exponent", kIndigo), dot("lower", "other exponents", kOrange)};
+    dot("largest", "largest exponent", kIndigo), dot("lower", "other exponents", kOrange),
+    mark("cut", "exponents, cut off", kOrange, MarkShape::kDown, false, 0.35)};
 
 Look ground(const char* id, const char* title, const char* colour) {
   return {.id = id, .title = title, .colour = colour, .width = 0.0};
@@ -62,7 +63,7 @@ Look ground(const char* id, const char* title, const char* colour) {
 // Grounds light enough for lines and words upon them (after P. Tol, Colour Schemes,
 // SRON/EPS/TN/09-002, 2021, the light scheme).
 const std::vector<Look> kGrounds = {
-    ground("clear", "clear of the stops", "#D5EDF7"),
+    ground("clear", "clear of the stops", "#C4E4F2"),
     ground("(1,1)", "(1,1)", "#77AADD"),
     ground("(2,2)", "(2,2)", "#FFAABB"),
     ground("sticks", "sticks", kStuckShade),
@@ -70,13 +71,13 @@ const std::vector<Look> kGrounds = {
     ground("torus", "torus", "#C9AE97"),
     ground("other", "other motions", "#BBBBBB"),
     ground("asked and more", "the asked motion and others", "#CCDDAA"),
-    ground("several", "several motions, without the asked one", "#DCCFE6"),
+    ground("several", "several motions, without the asked one", "#D9CBE4"),
     ground("differs", "two motions that differ", kVermillion),
-    ground("none", "no motion", "#EEEEEE"),
+    ground("none", "no motion", "#E8E8E8"),
     ground("blank", "nothing to show, or not run", "#FFFFFF"),
 };
 constexpr std::array kOtherGrounds = {"#44BB99", "#EE8866", "#BBCC33", "#B79AD0", "#AAAA00"};
-constexpr std::array kWithoutMotion = {"#EEEEEE", "#D0D0D0", "#A8A8A8", "#888888"};
+constexpr std::array kWithoutMotion = {"#E8E8E8", "#D0D0D0", "#A8A8A8", "#888888"};
 constexpr std::array kCurves = {kBlue, kVermillion, kGreen, kOrange, kPurple, kSky};
 
 // One for each colour of curves.

@@ -20,7 +20,7 @@ inline constexpr const char* kPurple = "#AA3377";
 inline constexpr const char* kGrey = "#999999";
 inline constexpr const char* kIndigo = "#332288";
 inline constexpr const char* kStopShade = "#DDDDDD";
-inline constexpr const char* kStuckShade = "#F8DA98";
+inline constexpr const char* kStuckShade = "#F2C35E";
 
 // What a mark is drawn as; those that are `open` are outlines on the paper's white.
 enum class MarkShape { kNone, kDot, kCircle, kSquare, kDiamond, kUp, kDown, kPentagon, kCross };
@@ -50,7 +50,8 @@ const Look& virtual_special_look();
 std::span<const Look> locus_looks();
 const Look& codimension_two_look();
 
-// Dots of a sweep: periodic, wild, and of exponents: largest, lower.
+// Dots of a sweep: periodic, wild, and of exponents: largest, lower, and cut, at the edge of an
+// axis beyond which they lie.
 std::span<const Look> dot_looks();
 const Look& dot_look(const std::string& id);
 

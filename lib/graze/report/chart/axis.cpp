@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <sstream>
 
 namespace graze {
 
@@ -112,44 +113,92 @@ double AxisRange::tic_step(int most) const {
   return step;
 }
 
-std::string parameter_title(const std::string& path) {
-  static const std::map<std::string, std::string> kTitles = {
+namespace {
+
+// By the path without its numbers.
+const std::map<std::string, std::string>& quantity_names() {
+  static const std::map<std::string, std::string> kNames = {
       {"forcing.frequency", "forcing frequency Ω"},
       {"forcing.frequency_hz", "forcing frequency"},
       {"forcing.amplitude", "forcing amplitude"},
       {"forcing.phase", "forcing phase"},
       {"damping.viscous", "viscous damping η"},
+      {"damping.ratios", "damping ratio ζ"},
+      {"damping.rayleigh.mass", "damping by mass"},
+      {"damping.rayleigh.stiffness", "damping by stiffness"},
+      {"modal.frequencies", "natural frequency ω"},
+      {"modal.damping_ratios", "damping ratio ζ"},
+      {"modal.inertia", "inertia"},
+      {"modal.participation", "participation"},
       {"beam.length", "beam length"},
       {"beam.tension", "tension"},
+      {"beam.density", "density"},
+      {"beam.area", "area of the cross-section"},
+      {"beam.thickness", "thickness of the beam"},
+      {"beam.youngs_modulus", "Young’s modulus"},
+      {"beam.second_moment", "second moment of area"},
+      {"beam.mass.mass", "mass on the beam"},
+      {"beam.mass.inertia", "rotary inertia on the beam"},
+      {"beam.mass.position", "position of the mass"},
+      {"beam.support.position", "position of the support"},
+      {"beam.support.translational", "stiffness of the support"},
+      {"beam.support.rotational", "rotational stiffness of the support"},
+      {"beam.piece.to", "end of the piece"},
+      {"beam.piece.section.width", "width of the section"},
+      {"beam.piece.section.height", "height of the section"},
       {"string.length", "string length"},
       {"string.tension", "tension"},
       {"bar.length", "bar length"},
-      {"beam.density", "density"},
-      {"beam.area", "area of the cross-section"},
-      {"beam.youngs_modulus", "Young’s modulus"},
-      {"beam.second_moment", "second moment of area"},
+      {"bar.density", "density"},
+      {"bar.area", "area of the cross-section"},
+      {"bar.youngs_modulus", "Young’s modulus"},
+      {"gravity.acceleration", "acceleration of gravity"},
       {"hub.torque.amplitude", "torque of the hub"},
       {"hub.torque.duration", "duration of the torque"},
       {"hub.inertia", "inertia of the hub"},
+      {"hub.radius", "radius of the hub"},
       {"initial.rate", "first rate of the hub"},
-      {"gap", "gap"},
-      {"position", "position of the stop"},
-      {"restitution", "coefficient of restitution"},
+      {"stop.gap", "gap"},
+      {"stop.position", "position of the stop"},
+      {"stop.restitution", "coefficient of restitution"},
+      {"stop.shape", "mode shape at the stop"},
+      {"stop.spring.stiffness", "stiffness k"},
+      {"stop.spring.exponent", "exponent n"},
+      {"stop.spring.damping.coefficient", "damping coefficient C"},
+      {"stop.spring.damping.mass", "mass that the damping is for"},
+      {"stop.spring.damping.onset", "depth h of the damping’s onset"},
+      {"stop.spring.damping.sharpness", "sharpness Q of the damping’s onset"},
+      {"stop.spring.damping.restitution", "restitution of the contact"},
+      {"stop.spring.damping.speed", "reference speed of the contact"},
   };
-  const auto known = kTitles.find(path);
-  if (known != kTitles.end()) return known->second;
-  if (path.starts_with("stop.")) {
-    std::string key = path.substr(5), which;
-    if (const std::size_t dot = key.find('.'); dot != std::string::npos) {
-      which = ", stop " + key.substr(0, dot);
-      key = key.substr(dot + 1);
-    }
-    const auto of_stop = kTitles.find(key);
-    if (of_stop != kTitles.end()) return of_stop->second + which;
-  }
+  return kNames;
+}
+
+bool is_number(const std::string& word) {
+  return !word.empty() && word.find_first_not_of("0123456789") == std::string::npos;
+}
+
+}  // namespace
+
+std::string parameter_title(const std::string& path) {
   if (path.starts_with("initial.qdot.")) return "dq_{" + path.substr(13) + "}/dt at the start";
   if (path.starts_with("initial.q.")) return "q_{" + path.substr(10) + "} at the start";
-  return as_markup(path);
+  std::string known, own, which, before;
+  std::istringstream words(path);
+  for (std::string word; std::getline(words, word, '.'); before = word) {
+    if (!is_number(word)) {
+      known += (known.empty() ? "" : ".") + word;
+      continue;
+    }
+    // What stands in a list at the end is of modes, elsewhere of one of several tables.
+    const bool is_last = words.peek() == std::istringstream::traits_type::eof();
+    if (is_last)
+      own = (before == "height" ? " " : " of mode ") + word;
+    else
+      which += fmt::format(", {} {}", before, word);
+  }
+  const auto name = quantity_names().find(known);
+  return name == quantity_names().end() ? as_markup(path) : name->second + own + which;
 }
 
 bool has_hertz_axis(const std::string& parameter, const std::string& unit) {

@@ -8,9 +8,9 @@ namespace graze {
 namespace {
 
 const char* name_of(MarkShape shape) {
-  static constexpr std::array kNames = {"none", "dot",  "circle",   "square", "diamond",
+  static constexpr std::array kLookNames = {"none", "dot",  "circle",   "square", "diamond",
                                         "up",   "down", "pentagon", "cross"};
-  return kNames[static_cast<std::size_t>(shape)];
+  return kLookNames[static_cast<std::size_t>(shape)];
 }
 
 template <class Looks>

@@ -6,8 +6,8 @@ const kDark = { paper: '#15181C', ink: '#E8E8E8', faint: '#A8ADB3', line: '#333A
 
 const kOnDark = {
   '#000000': '#F2F2F2', '#FFFFFF': '#15181C', '#0072B2': '#3D9BE0', '#D55E00': '#F0803C', '#AA3377': '#DB77AE',
-  '#332288': '#A093F2', '#999999': '#8A8F96', '#DDDDDD': '#3A4048', '#F8DA98': '#5C4A1C', '#5A5A5A': '#D9D9D9',
-  '#BBBBBB': '#6D737B', '#EEEEEE': '#262B31',
+  '#332288': '#A093F2', '#999999': '#8A8F96', '#DDDDDD': '#3A4048', '#F2C35E': '#5C4A1C', '#5A5A5A': '#D9D9D9',
+  '#BBBBBB': '#6D737B', '#E8E8E8': '#262B31',
 };
 
 export class Theme {

@@ -28,22 +28,20 @@ DiagramPanel panel_of(const MotionObservable& observable, const Sweep* swept) {
   return panel;
 }
 
-// None for minus infinity.
 DiagramPanel exponent_panel(const Sweep& swept, Units units) {
   DiagramPanel panel{"Lyapunov exponents", unit_in(units, "1/s")};
-  const Look &largest = dot_look("largest"), &lower = dot_look("lower");
-  for (const SweepRow& row : swept.rows)
-    for (Eigen::Index j = 0; row.exponents && j < row.exponents->values.size(); ++j) {
-      const double height = row.exponents->values[j];
-      if (!std::isfinite(height)) continue;
-      panel.dots.push_back({row.value, height, j > 0 ? &lower : &largest});
-    }
-  // The largest lie on top.
-  std::stable_partition(panel.dots.begin(), panel.dots.end(),
-                        [&](const DiagramPanel::Dot& dot) { return dot.look == &lower; });
+  const Look &largest = dot_look("largest"), &lower = dot_look("lower"), &cut = dot_look("cut");
   panel.from_zero = true;
   panel.level = 0.0;
   panel.least = exponent_range(swept).low;
+  for (const SweepRow& row : swept.rows)
+    for (Eigen::Index j = 0; row.exponents && j < row.exponents->values.size(); ++j) {
+      const double height = row.exponents->values[j];
+      if (height < panel.least)  // minus infinity too
+        panel.dots.push_back({row.value, panel.least, &cut});
+      else if (std::isfinite(height))
+        panel.dots.push_back({row.value, height, j > 0 ? &lower : &largest});
+    }
   return panel;
 }
 

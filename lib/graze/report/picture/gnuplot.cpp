@@ -123,92 +123,17 @@ std::string drawn(const std::string& file, const std::string& script) {
   return picture;
 }
 
-// How large a picture is, and how heavy what is in it: the same picture in every file format. Text
-// of 8 points on a width of 12 cm is still read in a column of 8 cm; on a wall lines are heavier.
-struct Sheet {
-  double centimetres = 12.0;
-  double weight = 1.0;  // of lines and marks, by those of paper
-};
-Sheet sheet_of(PictureStyle style) {
-  return style == PictureStyle::kSlide ? Sheet{24.0, 1.5} : Sheet{};
-}
-
-// Points in units of `mark` look alike, too. In SVG gnuplot sets distances by the nominal size of
-// the font, which therefore grows with the picture.
-std::string terminal(const PictureRequest& request, double proportion) {
-  const std::string extension = std::filesystem::path(request.file).extension().string();
-  const Sheet sheet = sheet_of(request.style);
-  const double size = sheet.centimetres / 12.0, heavy = size * sheet.weight;
-  if (extension == ".png")
-    return fmt::format(
-        "set terminal pngcairo enhanced font 'DejaVu Sans,11' fontscale {:.4g} linewidth {:.4g} "
-        "pointscale {:.4g} dashlength 0.7 size {:.0f},{:.0f} background '#FFFFFF'\n"
-        "mark = 1\nlegend_line = 1\nsmall = ',8'\nmedium = ',9'\n",
-        2.95 * size, 3.0 * heavy, 3.4 * heavy, 1360.0 * size, 1360.0 * size * proportion);
-  if (extension == ".pdf")
-    return fmt::format(
-        "set terminal pdfcairo enhanced font 'DejaVu Sans,11' fontscale {:.4g} linewidth {:.4g} "
-        "pointscale {:.4g} dashlength 0.7 size {:.4g}cm,{:.4g}cm background '#FFFFFF'\n"
-        "mark = 1\nlegend_line = 1\nsmall = ',8'\nmedium = ',9'\n",
-        0.726 * size, 1.1 * heavy, 0.9 * heavy, sheet.centimetres, sheet.centimetres * proportion);
-  return fmt::format(
-      "set terminal svg enhanced font 'DejaVu Sans,{:.4g}' fontscale 1.59 linewidth {:.4g} "
-      "dashlength 0.7 size {:.0f},{:.0f} background '#FFFFFF'\n"
-      "mark = {:.4g}\nlegend_line = 1.4\nsmall = ',{:.4g}'\nmedium = ',{:.4g}'\n",
-      11.0 * size, 1.4 * heavy, 640.0 * size, 640.0 * size * proportion, 1.6 * sheet.weight,
-      8.0 * size, 9.0 * size);
-}
-
-// Of the picture's width, for each line of the title at the head.
-constexpr double kTitleRoom = 0.032, kTitleMargin = 0.013;
-constexpr std::size_t kTitleLength = 76;  // characters that fit there
-
-std::size_t characters_in(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-// No longer than the head of a picture; the rest is in the result.
-std::string shortened(const std::string& text) {
-  if (characters_in(text) <= kTitleLength) return text;
-  std::string kept;
-  std::size_t count = 0;
-  for (const char c : text) {
-    if ((c & 0xC0) != 0x80 && ++count >= kTitleLength) break;
-    kept += c;
-  }
-  return kept + "…";
-}
-
-// What the picture is of, in a line or two: the scene's title, else its file, and what was set in
-// it.
-std::vector<std::string> title_of(const PictureRequest& request, const RunInfo& info) {
-  if (request.title == "none") return {};
-  if (request.title) return {shortened(*request.title)};
-  const std::string title = info.scene_title.empty()
-                                ? std::filesystem::path(info.scene_file).filename().string()
-                                : info.scene_title;
-  std::string settings;
-  for (const std::string& setting : info.settings)
-    settings += (settings.empty() ? "" : ", ") + setting;
-  if (title.empty() && settings.empty()) return {};
-  if (settings.empty()) return {shortened(title)};
-  const std::string both = title + " · " + settings;
-  if (characters_in(both) <= kTitleLength) return {both};
-  return {shortened(title), shortened(settings)};
-}
-
-// The lines before the script: all that depends on the file and on its title.
-std::string head_of(const PictureRequest& request, const RunInfo& info, double proportion) {
-  const std::vector<std::string> title = title_of(request, info);
-  const double room =
-      title.empty() ? 0.0 : kTitleMargin + kTitleRoom * static_cast<double>(title.size());
+// The lines before a script: all that depends on the file, on its size and on its head.
+std::string head_of(const PictureRequest& request, const RunInfo& info, const Canvas& canvas) {
+  constexpr double kWidth = 12.0;  // cm, of which lengths across are parts
   std::string caption;
-  for (const std::string& line : title)
+  for (const std::string& line : caption_of(request, info, canvas.width))
     caption += (caption.empty() ? "" : ".\"\\n\".") + plain_gnuplot_string(line);
-  return "set encoding utf8\n" + terminal(request, proportion + room) +
-         fmt::format("body = {:.6g}\ncaption = {}\n", proportion / (proportion + room),
-                     caption.empty() ? "''" : caption);
+  return "set encoding utf8\n" + terminal_of(request, canvas) +
+         fmt::format("body = {:.6g}\ncaption = {}\nacross = {:.6g}\nupward = {:.6g}\n",
+                     canvas.height / (canvas.height + canvas.caption),
+                     caption.empty() ? "''" : caption, kWidth / canvas.width,
+                     canvas.laid_out / canvas.height);
 }
 
 // gnuplot takes a leading | for a command and a leading ~ for a home.
@@ -340,8 +265,8 @@ std::string beside(const std::string& file, const char* extension) {
 }  // namespace
 
 void draw_picture(const PictureRequest& request, const RunInfo& info, const GnuplotScript& script,
-                  double proportion) {
-  const std::string head = head_of(request, info, proportion);
+                  const Canvas& canvas) {
+  const std::string head = head_of(request, info, canvas);
   const ScratchFile data;
   write_file(data.path(), script.data_text());
   const std::string picture = drawn(request.file, head + data_line(data.path()) + script.text());
@@ -352,13 +277,20 @@ void draw_picture(const PictureRequest& request, const RunInfo& info, const Gnup
 }
 
 void draw_picture(const PictureRequest& request, const RunInfo& info, const GnuplotScript& script,
-                  double proportion, const PixelLayer& layer) {
-  const std::string head = head_of(request, info, proportion);
+                  double proportion) {
+  constexpr double kWidth = 12.0;  // cm
+  draw_picture(request, info, script, canvas_of(request, info, kWidth * proportion));
+}
+
+void draw_picture(const PictureRequest& request, const RunInfo& info, const GnuplotScript& script,
+                  const Canvas& canvas, const PixelLayer& layer) {
+  const std::string head = head_of(request, info, canvas);
   const ScratchFile data, dots, scratch;
   write_file(data.path(), script.data_text());
   write_file(dots.path(), layer.script.data_text());
   const auto pixels = [&](const std::string& data_file) {
-    return pixel_terminal(layer) + "body = 1\ncaption = ''\nsmall = ''\nmedium = ''\n" +
+    return pixel_terminal(layer) +
+           "body = 1\ncaption = ''\nacross = 1\nupward = 1\nsmall = ''\nmedium = ''\n" +
            data_line(data_file);
   };
   write_file(scratch.path(), drawn(request.file, pixels(dots.path()) + layer.script.text()));

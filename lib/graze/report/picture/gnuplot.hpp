@@ -8,6 +8,7 @@
 
 #include "graze/record/file/run_info.hpp"
 #include "graze/report/picture/picture_request.hpp"
+#include "graze/report/picture/picture_sheet.hpp"
 
 namespace graze {
 
@@ -30,7 +31,10 @@ class PlotTable {
 // file of their own. Point sizes in units of the variable `mark`, which comes with the terminal,
 // look the same in every file format, and so do spacings of a legend in units of `legend_line`
 // and the fonts `small` and `medium` of 8 and 9 points. Heights on the screen are in units of the
-// variable `body`, above which the picture's caption stands.
+// variable `body`, above which the picture's caption stands. Where a picture has another width than
+// 12 cm, or another height than its layout, text keeps its room: twelfths of a width of 12 cm are
+// those of the sheet times `across`, parts of the height that was laid out those of the sheet times
+// `upward`.
 class GnuplotScript {
  public:
   void command(const std::string& line);
@@ -54,10 +58,13 @@ std::string gnuplot_string(const std::string& text);
 // The same of words that are no markup.
 std::string plain_gnuplot_string(const std::string& text);
 
-// Draws the script, `proportion` times as high as wide, into the file that is asked for, and keeps
-// it beside the picture as x.gp with its data as x.gp.dat, so that `gnuplot x.gp`, run in that
-// folder, draws the picture again. Throws FileError, leaving all files as they were, when gnuplot
-// is missing or fails, or the folder cannot be written to.
+// Draws the script into the file that is asked for, and keeps it beside the picture as x.gp with
+// its data as x.gp.dat, so that `gnuplot x.gp`, run in that folder, draws the picture again. Throws
+// FileError, leaving all files as they were, when gnuplot is missing or fails, or the folder cannot
+// be written to.
+void draw_picture(const PictureRequest& request, const RunInfo& info, const GnuplotScript& script,
+                  const Canvas& canvas);
+// Of a layout `proportion` times as high as 12 cm.
 void draw_picture(const PictureRequest& request, const RunInfo& info, const GnuplotScript& script,
                   double proportion = 0.75);
 
@@ -72,6 +79,6 @@ struct PixelLayer {
 // that shows the layer on a transparent ground. The script that is kept makes that file, x.dots.png
 // for x.svg, anew.
 void draw_picture(const PictureRequest& request, const RunInfo& info, const GnuplotScript& script,
-                  double proportion, const PixelLayer& layer);
+                  const Canvas& canvas, const PixelLayer& layer);
 
 }  // namespace graze

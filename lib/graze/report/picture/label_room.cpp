@@ -1,6 +1,7 @@
 #include "graze/report/picture/detail/label_room.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -15,9 +16,9 @@ constexpr double kCell = 0.05;
 constexpr double kCharacter = 0.17, kLine = 0.3;  // of a label's letters
 constexpr double kMark = 0.16;                    // half of a mark's width, with its outline
 // How far from its place a label may stand, nearest first.
-constexpr std::array kAway = {0.06, 0.22, 0.45, 0.8};
+constexpr std::array kAway = {0.06, 0.22, 0.45, 0.8, 1.3};
 constexpr double kLeader = 0.3;  // farther labels have a line to their place
-constexpr unsigned char kOnLine = 1, kOnDot = 2, kOnMark = 255;
+constexpr unsigned char kOnDot = 1, kOnLine = 253, kOnMark = 254, kOnLabel = 255;
 
 double characters_of(const std::string& text) {
   return static_cast<double>(
@@ -81,10 +82,11 @@ void LabelRoom::take(const std::vector<std::string>& lines, double x, double y) 
   const double half_width = 0.5 * kCharacter * longest;
   const double half_height = 0.75 * kLine * static_cast<double>(lines.size());
   fill({cm_x(x) - half_width, cm_x(x) + half_width, cm_y(y) - half_height, cm_y(y) + half_height},
-       kOnMark);
+       kOnLabel);
 }
 
-// Nothing where the box covers a mark or a label, or reaches out of the panel.
+// Nothing where the box covers a mark or a label, is crossed by a line, or reaches out of the
+// panel.
 std::optional<double> LabelRoom::cost_of(const Box& box) const {
   if (box.left < 0.0 || box.right > width_ || box.low < 0.0 || box.high > height_) return {};
   double cost = 0.0;
@@ -93,7 +95,7 @@ std::optional<double> LabelRoom::cost_of(const Box& box) const {
     for (int column = static_cast<int>(box.left / kCell);
          column <= std::min(columns_ - 1, static_cast<int>(box.right / kCell)); ++column) {
       const unsigned char taken = taken_[static_cast<std::size_t>(row * columns_ + column)];
-      if (taken == kOnMark) return {};
+      if (taken >= kOnLine) return {};
       cost += taken;
     }
   return cost;
@@ -119,7 +121,7 @@ std::optional<LabelRoom::Found> LabelRoom::best_near(const std::string& text, do
       const Box box{box_x - half_width, box_x + half_width, box_y - half_height,
                     box_y + half_height};
       const std::optional<double> cost = cost_of(box);
-      if (!cost) continue;
+      if (!cost || (away > kLeader && meets_label(leader_to(box, at_x, at_y)))) continue;
       // A label over ten cells of lines may as well stand a millimetre away.
       const double all = *cost + 100.0 * away + 0.1 * k;
       if (!best || all < best->cost) best = {{box, all, at_x, at_y, away}};
@@ -128,19 +130,37 @@ std::optional<LabelRoom::Found> LabelRoom::best_near(const std::string& text, do
   return best;
 }
 
+LabelRoom::Leader LabelRoom::leader_to(const Box& box, double x, double y) {
+  const double to_x = std::clamp(x, box.left, box.right), to_y = std::clamp(y, box.low, box.high);
+  const double length = std::hypot(to_x - x, to_y - y);
+  const double part = length > 0.0 ? std::min(kMark / length, 1.0) : 0.0;
+  return {x + part * (to_x - x), y + part * (to_y - y), to_x, to_y};
+}
+
+bool LabelRoom::meets_label(const Leader& leader) const {
+  for (int i = 0; i <= kLeaderSteps; ++i) {
+    const auto [x, y] = leader.at(i);
+    const int column = std::clamp(static_cast<int>(x / kCell), 0, columns_ - 1);
+    const int row = std::clamp(static_cast<int>(y / kCell), 0, rows_ - 1);
+    if (taken_[static_cast<std::size_t>(row * columns_ + column)] == kOnLabel) return true;
+  }
+  return false;
+}
+
 void LabelRoom::put(GnuplotScript& script, const std::string& text, const Found& found) {
   const Box& box = found.box;
   const double x = 0.5 * (box.left + box.right), y = 0.5 * (box.low + box.high);
   if (found.away > kLeader) {
-    const double to_x = std::clamp(found.x, box.left, box.right);
-    const double to_y = std::clamp(found.y, box.low, box.high);
-    const double length = std::hypot(to_x - found.x, to_y - found.y);
-    const double part = length > 0.0 ? std::min(kMark / length, 1.0) : 0.0;
+    const Leader leader = leader_to(box, found.x, found.y);
     script.command(fmt::format(
         "set arrow from graph {:.5f}, graph {:.5f} to graph {:.5f}, graph {:.5f} nohead front lw "
         "0.5 lc rgb '{}'",
-        (found.x + part * (to_x - found.x)) / width_, (found.y + part * (to_y - found.y)) / height_,
-        to_x / width_, to_y / height_, kGrey));
+        leader.from_x / width_, leader.from_y / height_, leader.to_x / width_,
+        leader.to_y / height_, kGrey));
+    for (int i = 0; i <= kLeaderSteps; ++i) {
+      const auto [at_x, at_y] = leader.at(i);
+      fill({at_x, at_x, at_y, at_y}, kOnLine);
+    }
   }
   if (is_on_ground_)
     script.command("set style textbox opaque margins 0.3,0.3 fillcolor rgb '#FFFFFF' noborder");
@@ -148,24 +168,32 @@ void LabelRoom::put(GnuplotScript& script, const std::string& text, const Found&
                              gnuplot_string(text), x / width_, y / height_,
                              is_on_ground_ ? " boxed" : ""));
   // A letter's room to the next label beside it.
-  fill({box.left - kCharacter, box.right + kCharacter, box.low, box.high}, kOnMark);
+  fill({box.left - kCharacter, box.right + kCharacter, box.low, box.high}, kOnLabel);
 }
 
 void LabelRoom::name(GnuplotScript& script, const std::vector<NamedPoint>& points) {
-  std::vector<NamedPoint> places;
+  struct Named {
+    NamedPoint first;
+    std::vector<std::string> ids;
+  };
+  std::vector<Named> places;
   for (const NamedPoint& point : points) {
-    const auto same = std::find_if(places.begin(), places.end(), [&](const NamedPoint& place) {
-      return std::hypot(cm_x(point.x) - cm_x(place.x), cm_y(point.y) - cm_y(place.y)) <
-             0.25 * kMark;
+    const auto same = std::find_if(places.begin(), places.end(), [&](const Named& place) {
+      return std::hypot(cm_x(point.x) - cm_x(place.first.x), cm_y(point.y) - cm_y(place.first.y)) <
+             kMark;
     });
     if (same == places.end())
-      places.push_back(point);
+      places.push_back({point, {point.id}});
     else
-      same->id += ", " + point.id;
+      same->ids.push_back(point.id);
   }
-  constexpr std::size_t kMany = 24;
+  constexpr std::size_t kMany = 24, kListed = 2;
   is_crowded_ = places.size() > kMany;
-  for (const NamedPoint& place : places) write(script, place.id, place.x, place.y);
+  for (const auto& [first, ids] : places)
+    write(script,
+          ids.size() > kListed ? fmt::format("{} and {} more", first.id, ids.size() - 1)
+                               : fmt::format("{}", fmt::join(ids, ", ")),
+          first.x, first.y);
 }
 
 bool LabelRoom::write(GnuplotScript& script, const std::string& text, double x, double y) {

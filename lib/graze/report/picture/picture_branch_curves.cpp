@@ -95,7 +95,9 @@ void BranchCurves::label(GnuplotScript& script, LabelRoom& room, LabelChoice cho
       points.push_back({mark.x, mark.y.front(), special.id});
   }
   room.name(script, points);
-  if (choice == LabelChoice::kAll) label_branches(script, room);
+  // Beside many ids those of the orbits would be lost.
+  constexpr std::size_t kDozen = 12;
+  if (choice == LabelChoice::kAll && points.size() <= kDozen) label_branches(script, room);
 }
 
 // Each branch once, on its line of the best kind.

@@ -14,7 +14,9 @@
 namespace graze {
 namespace {
 
-constexpr double kCellsHeight = 0.75;  // of the picture over its width, without a legend
+constexpr double kCellsWidth = 12.0;   // cm
+constexpr double kCellsHeight = 0.75;  // of the picture over that width, without a legend
+constexpr double kAround = 3.6;        // cm above and below the axes
 // Cells without a number because their motions meet no stop.
 constexpr std::array kClear = {"clear of the stops", "both clear"};
 // Of an SVG, as rectangles: 1 MB. Browsers smooth an image, which mixes the colours of large cells
@@ -42,7 +44,7 @@ class CellPicture {
     begin(legend_of(colours.legend), 0.04);
     write_cells(colours.of);
     plot({});
-    draw_picture(request_, info_, script_, proportion_);
+    draw_picture(request_, info_, script_, canvas_of(request_, info_, kCellsWidth * proportion_));
   }
 
   void draw(const CellNumbers& numbers) {
@@ -70,7 +72,7 @@ class CellPicture {
       return std::isfinite(value) ? bar_.at(value) : colour_of(grounds.at(numbers.without(cell)));
     });
     plot({colour_bar(numbers.title)});
-    draw_picture(request_, info_, script_, proportion_);
+    draw_picture(request_, info_, script_, canvas_of(request_, info_, kCellsWidth * proportion_));
   }
 
  private:
@@ -79,13 +81,16 @@ class CellPicture {
     return {range.low, range.high};
   }
 
+  // Without the room of the legend.
+  Canvas usual_canvas() const { return canvas_of(request_, info_, kCellsWidth * kCellsHeight); }
+
   // A white ground has an outline.
   std::vector<std::string> legend_of(
       const std::vector<std::pair<std::string, std::string>>& entries) {
-    columns_ = kColumns;
+    columns_ = usual_canvas().columns(kColumns);
     std::vector<std::string> legend;
     for (const auto& [name, colour] : entries) {
-      if (name.size() > kLongLegend) columns_ = kColumnsOfLong;
+      if (name.size() > kLongLegend) columns_ = usual_canvas().columns(kColumnsOfLong);
       legend.push_back(
           fmt::format("NaN with boxes lc rgb '{}' lw 0.5 fs solid border lc rgb '{}' "
                       "title {}",
@@ -100,9 +105,9 @@ class CellPicture {
     legend_ = std::move(legend);
     const PicturePlane plane{x_.factor(), y_.factor(), x_.range(), y_.range()};
     if (loci_) {
-      columns_ = kColumnsOfLong;
+      columns_ = usual_canvas().columns(kColumnsOfLong);
       draw_locus_curves(*loci_, plane, LociGround::kColours, script_, loci_drawn_);
-      LabelRoom room(plane, kLociWidth, kLociHeight);
+      LabelRoom room = loci_room(plane, usual_canvas());
       room.stand_on_white();
       label_loci(*loci_, plane, request_.labels, room, script_);
     }
@@ -118,7 +123,7 @@ class CellPicture {
     set_margins(script_, margins);
     if (!legend_.empty()) set_legend(script_, margins, columns_);
     set_parameter_axis(script_, plane_.x.name, x_.range(), x_.unit());
-    y_.set_vertical(script_, 8);
+    y_.set_vertical(script_, tics_within(usual_canvas().height - kAround, 8));
     name_vertical_axis(script_, parameter_title(plane_.y.name), y_.unit());
   }
 
@@ -150,7 +155,7 @@ class CellPicture {
     script_.command("set palette defined (" + palette + ")");
     script_.command("set cbrange " + bar_.range.text());
     script_.command(fmt::format("set cbtics {:.6g}", bar_.range.tic_step(6)));
-    script_.command("set label " + title + " at screen 0.982, graph 0.5 center rotate");
+    script_.command("set label " + title + " at screen 1-0.018*across, graph 0.5 center rotate");
     PlotTable ends;
     ends.row({x_.range().low, y_.range().low, bar_.range.low});
     ends.row({x_.range().high, y_.range().high, bar_.range.high});

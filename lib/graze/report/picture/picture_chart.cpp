@@ -13,8 +13,11 @@
 namespace graze {
 namespace {
 
-// Centimetres of a picture 12 cm wide.
-constexpr double kWidth = 12.0, kLeft = 2.56, kRight = 0.48;
+// Centimetres of a Canvas.
+constexpr double kSheet = 12.0;  // of which margins are parts
+constexpr double kLowest = 0.3;  // of the height of axes, where there is too little room
+constexpr double kUsual = 9.0;   // height of a picture
+constexpr double kLeft = 2.56, kRight = 0.48;
 constexpr double kHead = 0.36, kHertz = 1.55;    // above the axes, and with an axis in Hz
 constexpr double kAxisText = 1.55;               // tics and name of a horizontal axis
 constexpr double kBetween = 0.4, kBeside = 1.3;  // two panels
@@ -70,13 +73,13 @@ bool is_alike(const ChartAxis& a, const ChartAxis& b) {
 
 class ChartPicture {
  public:
-  ChartPicture(const PictureRequest& request, const Chart& chart)
-      : request_(request), chart_(chart) {
+  ChartPicture(const PictureRequest& request, const RunInfo& info, const Chart& chart)
+      : request_(request), chart_(chart), canvas_(canvas_of(request, info, kUsual)) {
     gather_legend();
-    lay_out();
+    lay_out(info);
   }
 
-  double proportion() const { return total_ / kWidth; }
+  const Canvas& canvas() const { return canvas_; }
 
   GnuplotScript script() {
     set_style(script_);
@@ -86,7 +89,7 @@ class ChartPicture {
       const std::vector<ChartPanel>& panels = chart_.rows[row];
       top += above(row);
       for (std::size_t i = 0; i < panels.size(); ++i) draw(row, i, top);
-      top += panels.front().height;
+      top += stretch_ * panels.front().height;
     }
     draw_legend();
     script_.command("unset multiplot");
@@ -110,7 +113,7 @@ class ChartPicture {
       }
     for (const std::string& title : known)
       if (title.size() > kLong) columns_ = 1;
-    columns_ = std::min<std::size_t>(columns_, std::max<std::size_t>(known.size(), 1));
+    columns_ = std::min(canvas_.columns(columns_), std::max<std::size_t>(known.size(), 1));
   }
 
   static void add_entries(const ChartSeries& series, std::vector<std::string>& entries) {
@@ -153,7 +156,7 @@ class ChartPicture {
     const std::vector<ChartPanel>& panels = chart_.rows[row];
     const auto count = static_cast<double>(panels.size());
     const double beside = count > 1.0 && is_alike(panels[i].y, panels[1 - i].y) ? kBeside : kNamed;
-    const double width = (kWidth - kLeft - kRight - (count - 1.0) * beside) / count;
+    const double width = (canvas_.width - kLeft - kRight - (count - 1.0) * beside) / count;
     return {kLeft + static_cast<double>(i) * (width + beside), width, beside};
   }
 
@@ -184,12 +187,18 @@ class ChartPicture {
     return heading + kBetween + (shares_below(row - 1) ? 0.0 : axis_text(row - 1));
   }
 
-  void lay_out() {
-    total_ = axis_text(chart_.rows.size() - 1);
-    for (std::size_t row = 0; row < chart_.rows.size(); ++row)
-      total_ += above(row) + chart_.rows[row].front().height;
+  void lay_out(const RunInfo& info) {
+    double axes = 0.0, text = axis_text(chart_.rows.size() - 1);
+    for (std::size_t row = 0; row < chart_.rows.size(); ++row) {
+      text += above(row);
+      axes += chart_.rows[row].front().height;
+    }
     const std::size_t lines = legend_.empty() ? 0 : (legend_.size() + columns_ - 1) / columns_;
-    total_ += spacing_ * kLegendLine * static_cast<double>(lines) + 0.1;
+    text += spacing_ * kLegendLine * static_cast<double>(lines) + 0.1;
+    canvas_ = canvas_of(request_, info, axes + text);
+    canvas_.laid_out = canvas_.height;
+    stretch_ = std::max(canvas_.height - text, kLowest * axes) / axes;
+    total_ = text + stretch_ * axes;
   }
 
   // That a name may have beside its unit along so many centimetres.
@@ -223,16 +232,17 @@ class ChartPicture {
     const ShownAxis y(request_of(panel.y, up, is_first ? request_.y : AxisRequest{}), panel.y.unit,
                       up, 0.06, panel.y.from_zero);
     script_.command("unset label\nunset arrow\nunset object\nunset key");
-    set_margins(script_, {.left = left / kWidth,
-                          .right = 1.0 - (left + width) / kWidth,
-                          .bottom = 1.0 - (top + panel.height) / total_,
+    const double height = stretch_ * panel.height;
+    set_margins(script_, {.left = left / kSheet,
+                          .right = (canvas_.width - left - width) / kSheet,
+                          .bottom = 1.0 - (top + height) / total_,
                           .top = top / total_});
     set_horizontal(x, row, i);
-    y.set_vertical(script_, panel.height < 2.0 ? 3 : 6);
+    y.set_vertical(script_, tics_within(1.6 * height, height < 2.0 ? 3 : 6));
     if (i == 0 || !is_alike(panel.y, panels[i - 1].y)) {
-      const std::string name = in_two_lines(panel.y.name, letters_within(panel.height, y.unit()));
+      const std::string name = in_two_lines(panel.y.name, letters_within(height, y.unit()));
       const double from_axis = name.find('\n') == std::string::npos ? 1.9 : 2.34;
-      name_vertical_axis(script_, name, y.unit(), (left - from_axis) / kWidth);
+      name_vertical_axis(script_, name, y.unit(), (left - from_axis) / kSheet);
     }
     draw_ground(panel, x, y);
     plot(row, i, x, y);
@@ -280,7 +290,7 @@ class ChartPicture {
     if (!panel.heading.empty())
       script_.command(fmt::format("set label {} at graph 0, graph {:.4g} left font medium",
                                   gnuplot_string(panel.heading),
-                                  1.0 + 0.5 * kHeading / panel.height));
+                                  1.0 + 0.5 * kHeading / (stretch_ * panel.height)));
     if (!panel.remark.empty())
       script_.command(
           fmt::format("set label {} at graph 0.5, graph 0.5 center", gnuplot_string(panel.remark)));
@@ -306,11 +316,11 @@ class ChartPicture {
         "unset label\nunset arrow\nunset object\nunset border\nunset tics\nunset x2tics");
     script_.command(
         "unset xlabel\nunset x2label\nunset logscale\nset xrange [0:1]\nset yrange [0:1]");
-    set_margins(script_, {.left = kLeft / kWidth, .right = kRight / kWidth, .bottom = 0, .top = 0});
-    script_.command(
-        fmt::format("set key at screen {:.4g}, screen {:.4g}*body center bottom horizontal maxcols "
-                    "{} Left reverse samplen 2 spacing {:.4g}*legend_line font small",
-                    0.5 * (kWidth + kLeft - kRight) / kWidth, 0.08 / total_, columns_, spacing_));
+    set_margins(script_, {.left = kLeft / kSheet, .right = kRight / kSheet, .bottom = 0, .top = 0});
+    script_.command(fmt::format(
+        "set key at screen {:.4g}, screen {:.4g}*body center bottom horizontal maxcols "
+        "{} Left reverse samplen 2 spacing {:.4g}*legend_line font small",
+        0.5 * (canvas_.width + kLeft - kRight) / canvas_.width, 0.08 / total_, columns_, spacing_));
     script_.plot(legend_);
   }
 
@@ -335,18 +345,19 @@ class ChartPicture {
 
   const PictureRequest& request_;
   const Chart& chart_;
+  Canvas canvas_;
   GnuplotScript script_;
   std::vector<std::string> legend_;
   std::size_t columns_ = 2;
-  double total_ = 0.0, spacing_ = 1.0;
+  double total_ = 0.0, stretch_ = 1.0, spacing_ = 1.0;
 };
 
 }  // namespace
 
 void draw_chart(const PictureRequest& request, const RunInfo& info, const Chart& chart) {
-  ChartPicture picture(request, chart);
+  ChartPicture picture(request, info, chart);
   const GnuplotScript script = picture.script();
-  draw_picture(request, info, script, picture.proportion());
+  draw_picture(request, info, script, picture.canvas());
 }
 
 }  // namespace graze

@@ -10,26 +10,32 @@
 namespace graze {
 namespace {
 
-constexpr double kColumnWidth = 12.0;
+constexpr double kColumnSheet = 12.0;  // of which margins are parts
+constexpr double kLowestColumn = 0.3;  // of the height of axes, where there is too little room
 constexpr double kColumnLeft = 2.5, kColumnRight = 0.5, kRightWithLabels = 1.85;
-constexpr double kLegend = 0.65, kNoLegend = 0.3;  // at the head
-constexpr double kBetweenColumnPanels = 0.35;      // two panels over the same time axis
-constexpr double kColumnAxisText = 1.5;            // tics and name of a horizontal axis
-constexpr double kNextInRow = 1.7;                 // left of the second panel in the row, its tics
-constexpr double kNamePlace = 0.02;                // of a vertical axis, as a part of the width
+constexpr double kColumnLegend = 0.65, kNoLegend = 0.3;  // at the head
+constexpr double kBetweenColumnPanels = 0.35;            // two panels over the same time axis
+constexpr double kColumnAxisText = 1.5;                  // tics and name of a horizontal axis
+constexpr double kNextInRow = 1.7;   // left of the second panel in the row, its tics
+constexpr double kNamePlace = 0.02;  // of a vertical axis, as a part of the width
 
 }  // namespace
 
-void PanelColumn::lay_out(std::vector<double> panels, bool row, bool legend, bool labels) {
+void PanelColumn::lay_out(const PictureRequest& request, const RunInfo& info,
+                          std::vector<double> panels, bool row, bool legend, bool labels) {
   panels_ = std::move(panels);
   right_ = labels ? kRightWithLabels : kColumnRight;
-  top_ = legend ? kLegend : kNoLegend;
-  total_ = std::accumulate(panels_.begin(), panels_.end(), top_) +
-           static_cast<double>(panels_.size() - 1) * kBetweenColumnPanels + kColumnAxisText;
-  if (row) total_ += kBetweenColumnPanels + kRow + kColumnAxisText;
+  top_ = legend ? kColumnLegend : kNoLegend;
+  const double axes = std::accumulate(panels_.begin(), panels_.end(), row ? kRow : 0.0);
+  const double text = top_ + static_cast<double>(panels_.size() - 1) * kBetweenColumnPanels +
+                      kColumnAxisText + (row ? kBetweenColumnPanels + kColumnAxisText : 0.0);
+  canvas_ = canvas_of(request, info, axes + text);
+  canvas_.laid_out = canvas_.height;
+  const double stretch = std::max(canvas_.height - text, kLowestColumn * axes) / axes;
+  for (double& height : panels_) height *= stretch;
+  row_ = stretch * kRow;
+  total_ = text + stretch * axes;
 }
-
-double PanelColumn::proportion() const { return total_ / kColumnWidth; }
 
 void PanelColumn::set_time_axis(const AxisRange& range, const std::string& unit,
                                 const std::string& name) {
@@ -53,9 +59,10 @@ void PanelColumn::begin_panel(const AxisRange& range, const std::string& name,
                               const std::string& unit) {
   height_ = panels_[begun_++];
   vertical_ = range;
-  set_box(kColumnLeft, kColumnWidth - right_);
+  set_box(kColumnLeft, canvas_.width - right_);
   script_.command("set yrange " + range.text());
-  script_.command(fmt::format("set ytics {:.6g}", range.tic_step(height_ < kPanel ? 3 : 6)));
+  script_.command(fmt::format(
+      "set ytics {:.6g}", range.tic_step(tics_within(1.6 * height_, height_ < kPanel ? 3 : 6))));
   name_vertical(name, unit);
   if (begun_ < panels_.size()) return;
   script_.command("set format x '%h'");
@@ -71,15 +78,15 @@ void PanelColumn::end_panel(const std::vector<std::string>& layers) {
 
 void PanelColumn::begin_in_row(std::size_t i, std::size_t count, const AxisRange& x,
                                const AxisRange& y) {
-  height_ = kRow;
+  height_ = row_;
   vertical_ = y;
-  const double width = 0.5 * (kColumnWidth - kColumnLeft - kNextInRow - kColumnRight);
+  const double width = 0.5 * (canvas_.width - kColumnLeft - kNextInRow - kColumnRight);
   if (count == 1)
-    set_box(kColumnLeft, kColumnWidth - right_);
+    set_box(kColumnLeft, canvas_.width - right_);
   else if (i == 0)
     set_box(kColumnLeft, kColumnLeft + width);
   else
-    set_box(kColumnWidth - kColumnRight - width, kColumnWidth - kColumnRight);
+    set_box(canvas_.width - kColumnRight - width, canvas_.width - kColumnRight);
   script_.command("set xrange " + x.text());
   script_.command("set yrange " + y.text());
   script_.command(fmt::format("set xtics {:.6g}", x.tic_step(count == 1 ? 7 : 4)));
@@ -99,12 +106,13 @@ void PanelColumn::set_legend() {
   script_.command(fmt::format(
       "set key at screen {:.4g}, screen {:.4g}*body right center horizontal Left reverse "
       "samplen 1.5 font small",
-      1.0 - right_ / kColumnWidth, 1.0 - 0.5 * kLegend / total_));
+      1.0 - right_ / canvas_.width, 1.0 - 0.5 * kColumnLegend / total_));
 }
 
 void PanelColumn::remark(const std::string& text) {
   script_.command(fmt::format("set label {} at screen {:.4g}, screen {:.4g}*body left font medium",
-                              gnuplot_string(text), kNamePlace, 1.0 - 0.5 * kLegend / total_));
+                              gnuplot_string(text), kNamePlace,
+                              1.0 - 0.5 * kColumnLegend / total_));
 }
 
 void PanelColumn::note(const std::string& text) {
@@ -121,8 +129,8 @@ void PanelColumn::draw_zero_line() {
 }
 
 void PanelColumn::set_box(double left, double right) {
-  set_margins(script_, {.left = left / kColumnWidth,
-                        .right = 1.0 - right / kColumnWidth,
+  set_margins(script_, {.left = left / kColumnSheet,
+                        .right = (canvas_.width - right) / kColumnSheet,
                         .bottom = 1.0 - (top_ + height_) / total_,
                         .top = top_ / total_});
 }

@@ -13,13 +13,14 @@
 namespace graze {
 namespace {
 
-// Heights as parts of the picture's width.
+// Heights as parts of 12 cm.
 constexpr double kOnePanel = 0.75;  // of a picture with one, in all
 constexpr double kPanel = 0.36,
                  kBetweenDiagramPanels = 0.05;  // of several: each, and what is between two
 constexpr int kDiagramPixels = 2000;            // across a picture of 12 cm
-constexpr double kDiagramWidth = 12.0;          // cm
+constexpr double kDiagramWidth = 12.0;          // cm, of which the parts are
 constexpr std::size_t kDiagramColumns = 2;      // of the legend: names of points are long
+constexpr double kCut = 2.0;                    // of marks where an axis cuts, by dots
 constexpr double kThin = 0.55;                  // of curves over dots, by those without
 
 // One pair of axes with what is drawn in it, in the axes' units.
@@ -58,6 +59,8 @@ class DiagramPicture {
         record_(record),
         panels_(diagram_panels(record, diagram, request.multipliers)),
         has_dots_(diagram != nullptr),
+        canvas_(canvas_of(request, record.info, kDiagramWidth * kOnePanel)),
+        columns_(canvas_.columns(kDiagramColumns)),
         x_(request.x, record.unit, {record.from, record.to}, 0.0) {
     for (const DiagramPanel& panel : panels_) add(panel);
     // Pixels are evenly spaced, which a logarithmic axis is not.
@@ -67,7 +70,7 @@ class DiagramPicture {
     lay_out();
   }
 
-  double proportion() const { return height_; }
+  const Canvas& canvas() const { return canvas_; }
   bool as_pixels() const { return as_pixels_; }
 
   GnuplotScript script() {
@@ -129,15 +132,19 @@ class DiagramPicture {
   }
 
   void lay_out() {
-    const double legend = kOnePanel * legend_height(legend_entries().size(), kDiagramColumns);
+    const double legend = kOnePanel * legend_height(legend_entries().size(), columns_);
     Margins margins;  // of a single panel, as parts of the width
     margins.bottom = kOnePanel * margins.bottom + legend;
     margins.top =
         kOnePanel * (has_hertz_axis(parameter(), record_.unit) ? kHertzMargin : margins.top);
     const auto count = static_cast<double>(drawn_.size());
     panel_height_ = drawn_.size() == 1 ? kOnePanel - margins.top - margins.bottom : kPanel;
-    height_ = margins.top + count * panel_height_ + (count - 1.0) * kBetweenDiagramPanels +
-              margins.bottom;
+    const double text = margins.top + (count - 1.0) * kBetweenDiagramPanels + margins.bottom;
+    canvas_ = canvas_of(request_, record_.info, kDiagramWidth * (text + count * panel_height_));
+    canvas_.laid_out = canvas_.height;
+    panel_height_ =
+        std::max(canvas_.height / kDiagramWidth - text, 0.3 * count * panel_height_) / count;
+    height_ = text + count * panel_height_;
     margins_ = margins;
   }
 
@@ -157,10 +164,11 @@ class DiagramPicture {
     margins.bottom = 1.0 - (top + panel_height_) / height_;
     script_.command("unset label\nunset arrow\nunset key");
     set_margins(script_, margins);
-    if (last) set_legend(script_, margins, kDiagramColumns);
+    if (last) set_legend(script_, margins, columns_);
     set_parameter_axis(script_, parameter(), x_.range(), x_.unit(),
                        {.below = last, .above = i == 0}, x_.is_log());
-    panel.axis.set_vertical(script_, drawn_.size() > 1 ? 5 : 8);
+    panel.axis.set_vertical(script_,
+                            tics_within(kDiagramWidth * panel_height_, drawn_.size() > 1 ? 5 : 8));
     name_axis(panel);
     if (panel.panel.level)
       script_.command(fmt::format(
@@ -180,13 +188,16 @@ class DiagramPicture {
 
   // In a low panel over two lines, which take the room beside them.
   void name_axis(const DrawnPanel& panel) {
-    const std::string name = in_two_lines(panel.panel.name, drawn_.size() > 1 ? 17 : 30);
+    constexpr double kLetter = 0.18;  // cm
+    const auto letters = static_cast<std::size_t>(kDiagramWidth * panel_height_ / kLetter);
+    const std::string name =
+        in_two_lines(panel.panel.name, std::min<std::size_t>(drawn_.size() > 1 ? 17 : 30, letters));
     const bool breaks = name.find('\n') != std::string::npos;
     name_vertical_axis(script_, name, panel.axis.unit(), breaks ? 0.015 : 0.03);
   }
 
   void label(const DrawnPanel& panel) {
-    LabelRoom room(panel.plane, kDiagramWidth * (1.0 - margins_.left - margins_.right),
+    LabelRoom room(panel.plane, canvas_.width - kDiagramWidth * (margins_.left + margins_.right),
                    kDiagramWidth * panel_height_);
     for (const DiagramPanel::Dot& dot : panel.panel.dots)
       room.add_dot(x_.of(dot.value), panel.axis.of(dot.height));
@@ -223,13 +234,15 @@ class DiagramPicture {
   // over lower ones. Motions that never repeat fill areas: their dots shrink as they crowd.
   std::vector<std::string> dot_layers(const DrawnPanel& panel, double size) const {
     std::vector<std::string> layers;
-    for (const char* id : {"lower", "wild", "largest", "periodic"}) {
+    for (const char* id : {"cut", "lower", "wild", "largest", "periodic"}) {
       if (!panel.tables.contains(id)) continue;
       const double crowd = static_cast<double>(panel.counts.at(id));
       const double part =
           id == std::string("wild") ? std::clamp(std::sqrt(4000.0 / crowd), 0.5, 1.0) : 1.0;
-      layers.push_back(fmt::format("${} with points pt 7 ps {:.3g} lc rgb '{}'",
-                                   data_name(panel, id), size * part, dot_look(id).colour));
+      const bool is_cut = id == std::string("cut");
+      layers.push_back(fmt::format("${} with points pt {} ps {:.3g} lc rgb '{}'",
+                                   data_name(panel, id), point_type(dot_look(id)),
+                                   size * (is_cut ? kCut : part), dot_look(id).colour));
     }
     return layers;
   }
@@ -240,8 +253,8 @@ class DiagramPicture {
     for (const Look& look : dot_looks())
       if (std::any_of(drawn_.begin(), drawn_.end(),
                       [&](const DrawnPanel& any) { return any.tables.contains(look.id); }))
-        entries.push_back(fmt::format("NaN with points pt 7 ps 0.35 lc rgb '{}' title '{}'",
-                                      look.colour, look.title));
+        entries.push_back(fmt::format("NaN with points pt {} ps 0.35 lc rgb '{}' title '{}'",
+                                      point_type(look), look.colour, look.title));
     if (!drawn_.empty())
       for (const std::string& entry : drawn_.front().branches->legend()) entries.push_back(entry);
     return entries;
@@ -251,9 +264,11 @@ class DiagramPicture {
   const BranchRecord& record_;
   std::vector<DiagramPanel> panels_;
   bool has_dots_, as_pixels_ = false;
+  Canvas canvas_;
+  std::size_t columns_;  // of the legend
   ShownAxis x_;
   std::deque<DrawnPanel> drawn_;  // their places do not change
-  Margins margins_;               // of the picture, as parts of its width
+  Margins margins_;               // of the picture, as parts of 12 cm
   double panel_height_ = 0.0, height_ = 0.0;
   GnuplotScript script_;
 };
@@ -263,15 +278,15 @@ class DiagramPicture {
 void draw_branches(const PictureRequest& request, const BranchRecord& record) {
   DiagramPicture picture(request, record, nullptr);
   const GnuplotScript script = picture.script();
-  draw_picture(request, record.info, script, picture.proportion());
+  draw_picture(request, record.info, script, picture.canvas());
 }
 
 void draw_diagram(const PictureRequest& request, const DiagramRecord& record) {
   DiagramPicture picture(request, record.branches, &record);
   const GnuplotScript script = picture.script();
   const RunInfo& info = record.branches.info;
-  if (!picture.as_pixels()) return draw_picture(request, info, script, picture.proportion());
-  draw_picture(request, info, script, picture.proportion(), picture.dots());
+  if (!picture.as_pixels()) return draw_picture(request, info, script, picture.canvas());
+  draw_picture(request, info, script, picture.canvas(), picture.dots());
 }
 
 }  // namespace graze

@@ -8,6 +8,8 @@ namespace graze {
 namespace {
 
 constexpr double kProportion = 0.75;  // height by width, without the tints' legend
+constexpr double kLociWidth = 12.0;   // cm, of which it is a part
+constexpr double kAroundLoci = 3.6;   // cm above and below the axes
 constexpr std::size_t kLociColumns = 2;
 
 void draw_regions(const StableRegions& regions, const PicturePlane& plane, LabelRoom& room,
@@ -35,7 +37,9 @@ LociPicture loci_picture(const PictureRequest& request, const LociRecord& record
   GnuplotScript& script = picture.script;
   set_style(script);
   LociDrawn drawn;
-  LabelRoom room(plane, kLociWidth, kLociHeight);
+  const Canvas canvas = canvas_of(request, record.info, kLociWidth * kProportion);
+  const std::size_t columns = canvas.columns(kLociColumns);
+  LabelRoom room = loci_room(plane, canvas);
   PicturePlane whole = plane;  // what the regions are of, whatever part of it is shown
   whole.x = {}, whole.y = {};
   for (const double end : {record.from, record.to}) whole.x.include(first.of(end));
@@ -45,7 +49,7 @@ LociPicture loci_picture(const PictureRequest& request, const LociRecord& record
                     script, drawn);
   label_loci(traced, plane, request.labels, room, script);
   // The legend takes its room below, not from the axes.
-  const double legend = kProportion * legend_height(drawn.legend.size(), kLociColumns);
+  const double legend = kProportion * legend_height(drawn.legend.size(), columns);
   picture.proportion = kProportion + legend;
   Margins margins;
   margins.bottom = (kProportion * margins.bottom + legend) / picture.proportion;
@@ -53,9 +57,9 @@ LociPicture loci_picture(const PictureRequest& request, const LociRecord& record
                 (has_hertz_axis(traced.first, record.unit) ? kHertzMargin : margins.top) /
                 picture.proportion;
   set_margins(script, margins);
-  set_legend(script, margins, kLociColumns);
+  set_legend(script, margins, columns);
   set_parameter_axis(script, traced.first, first.range(), first.unit(), {}, first.is_log());
-  second.set_vertical(script, 8);
+  second.set_vertical(script, tics_within(canvas.height - kAroundLoci, 8));
   name_vertical_axis(script, parameter_title(traced.second), second.unit());
   if (traced.loci.empty() && !record.regions)
     script.command("set label 'no locus was found' at graph 0.5, graph 0.5 center");
@@ -68,7 +72,8 @@ LociPicture loci_picture(const PictureRequest& request, const LociRecord& record
 
 void draw_loci(const PictureRequest& request, const LociRecord& record) {
   const LociPicture picture = loci_picture(request, record);
-  draw_picture(request, record.info, picture.script, picture.proportion);
+  draw_picture(request, record.info, picture.script,
+               canvas_of(request, record.info, kLociWidth * picture.proportion));
 }
 
 }  // namespace graze

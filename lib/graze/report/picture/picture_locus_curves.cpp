@@ -78,6 +78,12 @@ void draw_locus_curves(const OrbitLoci& traced, const PicturePlane& plane, LociG
   drawn.legend.push_back(fmt::format("NaN {} title '{}'", dots, codimension_two_look().title));
 }
 
+LabelRoom loci_room(const PicturePlane& plane, const Canvas& canvas) {
+  // Beside the axes, and above and below them, cm.
+  constexpr double kBeside = 2.64, kAbove = 3.6;
+  return {plane, canvas.width - kBeside, std::max(canvas.height - kAbove, 1.0)};
+}
+
 void label_loci(const OrbitLoci& traced, const PicturePlane& plane, LabelChoice choice,
                 LabelRoom& room, GnuplotScript& script) {
   if (choice == LabelChoice::kNone) return;

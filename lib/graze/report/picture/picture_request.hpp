@@ -21,6 +21,18 @@ enum class LabelChoice { kNone, kSpecial, kAll };
 // For the column of a paper, or for a wall: heavier lines and marks on a larger sheet.
 enum class PictureStyle { kPaper, kSlide };
 
+// Millimetres; the height follows from what is drawn where it is not given.
+struct PictureSize {
+  double width = 120.0;
+  std::optional<double> height{};
+};
+
+// Of all words; the names of axes are `points` large, what is beside curves and at tics 8/11 of it.
+struct PictureFont {
+  std::string family = "DejaVu Sans";
+  std::optional<double> points{};  // none: by the width, 8 of 120 mm
+};
+
 struct PictureRequest {
   // A name alone asks for nothing else.
   PictureRequest(std::string name)
@@ -36,6 +48,8 @@ struct PictureRequest {
   PictureStyle style = PictureStyle::kPaper;
   bool multipliers = false;  // of branches, in a panel of their own
   AxisRequest x, y;
+  std::optional<PictureSize> size{};
+  PictureFont font{};
 };
 
 inline constexpr LabelChoice kLabelChoices[] = {LabelChoice::kNone, LabelChoice::kSpecial,

@@ -139,9 +139,11 @@ class SectionPicture {
 
 void draw_section(const PictureRequest& request, const SimulationRecord& record) {
   const SectionPicture picture(record);
+  constexpr double kWidth = 12.0;  // cm
+  const Canvas canvas = canvas_of(request, record.info, kWidth * kSectionHeight);
   if (request.file.ends_with(".png"))
-    return draw_picture(request, record.info, picture.script(false), kSectionHeight);
-  draw_picture(request, record.info, picture.script(true), kSectionHeight, picture.dots());
+    return draw_picture(request, record.info, picture.script(false), canvas);
+  draw_picture(request, record.info, picture.script(true), canvas, picture.dots());
 }
 
 }  // namespace graze

@@ -28,8 +28,11 @@ std::string line(const std::string& data, const char* colour, double width = 1.2
 // A column of panels over time, and below it the phase portrait.
 class SimulationPicture {
  public:
-  explicit SimulationPicture(const SimulationRecord& record)
-      : record_(record), seen_(motion_seen(record)), probes_(seen_.probes, record.info.units) {
+  SimulationPicture(const PictureRequest& request, const SimulationRecord& record)
+      : request_(request),
+        record_(record),
+        seen_(motion_seen(record)),
+        probes_(seen_.probes, record.info.units) {
     places_left_out_ = seen_.places.size() - std::min(seen_.places.size(), kMostPicturePlaces);
     seen_.places.resize(seen_.places.size() - places_left_out_);
     measure_motion();
@@ -61,7 +64,7 @@ class SimulationPicture {
     return script_;
   }
 
-  double proportion() const { return column_.proportion(); }
+  const Canvas& canvas() const { return column_.canvas(); }
 
  private:
   void lay_out() {
@@ -69,7 +72,7 @@ class SimulationPicture {
     std::vector<double> panels(seen_.places.size() + 1 + probes_.count(), PanelColumn::kPanel);
     if (shows_forces()) panels.push_back(PanelColumn::kLowPanel);
     if (shows_energy()) panels.push_back(PanelColumn::kPanel);
-    column_.lay_out(panels, shows_portraits(), !legend_.empty(),
+    column_.lay_out(request_, record_.info, panels, shows_portraits(), !legend_.empty(),
                     shows_energy() || several_stops() || probes_.labelled());
   }
 
@@ -316,6 +319,7 @@ class SimulationPicture {
     column_.end_in_row(layers);
   }
 
+  const PictureRequest& request_;
   const SimulationRecord& record_;
   MotionSeen seen_;
   ProbePanels probes_;
@@ -332,8 +336,9 @@ class SimulationPicture {
 }  // namespace
 
 void draw_simulation(const PictureRequest& request, const SimulationRecord& record) {
-  SimulationPicture picture(record);
-  draw_picture(request, record.info, picture.script(), picture.proportion());
+  SimulationPicture picture(request, record);
+  const GnuplotScript script = picture.script();
+  draw_picture(request, record.info, script, picture.canvas());
 }
 
 }  // namespace graze

@@ -28,15 +28,15 @@ std::string axis_label(const std::string& name, const std::string& unit) {
 void set_style(GnuplotScript& script) {
   script.command("set minussign\nset format '%h'");
   script.command("set border 3 lw 0.7 lc rgb '#808080'");
-  script.command("set tics out nomirror scale 0.6 textcolor rgb '#000000'");
+  script.command("set tics out nomirror scale 0.6 font small textcolor rgb '#000000'");
   script.command("set key noautotitle noopaque");
 }
 
 void set_margins(GnuplotScript& script, const Margins& margins) {
-  script.command(fmt::format("set lmargin at screen {:.4g}", margins.left));
-  script.command(fmt::format("set rmargin at screen {:.4g}", 1.0 - margins.right));
-  script.command(fmt::format("set bmargin at screen {:.4g}*body", margins.bottom));
-  script.command(fmt::format("set tmargin at screen {:.4g}*body", 1.0 - margins.top));
+  script.command(fmt::format("set lmargin at screen {:.4g}*across", margins.left));
+  script.command(fmt::format("set rmargin at screen 1-{:.4g}*across", margins.right));
+  script.command(fmt::format("set bmargin at screen {:.4g}*upward*body", margins.bottom));
+  script.command(fmt::format("set tmargin at screen (1-{:.4g}*upward)*body", margins.top));
 }
 
 void name_vertical_axis(GnuplotScript& script, const std::string& name, const std::string& unit,
@@ -46,7 +46,7 @@ void name_vertical_axis(GnuplotScript& script, const std::string& name, const st
   const std::string text = unit.empty() ? name : name + " (" + unit_markup(unit) + ")";
   for (std::size_t start = 0; start < text.size(); place += kLine) {
     const std::size_t end = std::min(text.find('\n', start), text.size());
-    script.command(fmt::format("set label {} at screen {:.4g}, graph 0.5 center rotate",
+    script.command(fmt::format("set label {} at screen {:.4g}*across, graph 0.5 center rotate",
                                gnuplot_string(text.substr(start, end - start)), place));
     start = end + 1;
   }
@@ -67,24 +67,31 @@ std::string in_two_lines(std::string name, std::size_t most) {
   return name;
 }
 
+int tics_within(double length, int most) {
+  constexpr double kTic = 0.55;  // cm, of a number's height with what keeps it apart
+  return std::clamp(static_cast<int>(length / kTic), 2, most);
+}
+
 double legend_height(std::size_t entries, std::size_t columns) {
   const std::size_t lines = (entries + columns - 1) / columns;
-  return 0.012 + 0.036 * static_cast<double>(lines);
+  return 0.012 + 0.04 * static_cast<double>(lines);
 }
 
 void set_legend(GnuplotScript& script, const Margins& margins, std::size_t columns) {
   script.command(
-      fmt::format("set key at screen {:.4g}, screen 0.01*body center bottom horizontal "
+      fmt::format("set key at screen 0.5+{:.4g}*across, screen 0.01*body center bottom horizontal "
                   "maxcols {} Left reverse samplen 2 spacing legend_line font small",
-                  0.5 * (1.0 + margins.left - margins.right), columns));
+                  0.5 * (margins.left - margins.right), columns));
 }
 
 namespace {
 
+bool has_power_tics(const AxisRange& range) { return range.high / range.low >= 100.0; }
+
 // Tics of a logarithmic axis: powers of ten named so where there are several, else 1, 2 and 5 times
 // them.
 std::string log_tics(const AxisRange& range, const std::string& axis) {
-  if (range.high / range.low >= 100.0)
+  if (has_power_tics(range))
     return fmt::format("set logscale {0}\nset {0}tics auto\nset format {0} '10^{{%L}}'", axis);
   std::string tics;
   for (double power = std::pow(10.0, std::floor(std::log10(range.low))); power <= range.high;
@@ -145,7 +152,9 @@ ShownAxis::ShownAxis(const AxisRequest& request, const std::string& si_unit,
   if (!request.low) shown.low /= room;
   if (!request.high) shown.high *= room;
   if (scale_ == AxisScale::kLog) {
-    unit_ = axis_unit(si_unit, shown.high);
+    // Tics that are powers of ten leave none to the unit.
+    unit_ = has_power_tics({shown.low, shown.high}) ? AxisUnit{1.0, si_unit}
+                                                    : axis_unit(si_unit, shown.high);
     range_ = {unit_.factor * shown.low, unit_.factor * shown.high};
     return;
   }

@@ -16,13 +16,14 @@ std::string axis_label(const std::string& name, const std::string& unit);
 // Axes, fonts and line ends that all pictures share.
 void set_style(GnuplotScript& script);
 
-// Places the axes: what stays free on each side, as parts of the picture.
+// Places the axes: what stays free on each side, as parts of a picture of 12 cm and of the height
+// that it is laid out for (GnuplotScript).
 struct Margins {
   double left = 0.18, right = 0.04, bottom = 0.175, top = 0.04;
 };
 void set_margins(GnuplotScript& script, const Margins& margins);
 
-// Names the vertical axis at a set place, a part of the picture's width from its left edge, however
+// Names the vertical axis at a set place, a part of 12 cm from its left edge, however
 // wide the axis' numbers are; \n in the name begins a new line.
 void name_vertical_axis(GnuplotScript& script, const std::string& name, const std::string& unit,
                         double place = 0.03);
@@ -30,6 +31,9 @@ void name_vertical_axis(GnuplotScript& script, const std::string& name, const st
 // A name that is longer than so many letters over two lines, broken before its direction, else near
 // its middle.
 std::string in_two_lines(std::string name, std::size_t most);
+
+// As many tics of a vertical axis of so many cm as are told apart, `most` at most.
+int tics_within(double length, int most);
 
 // Room at the foot for a legend of `entries` in `columns`, and the legend there.
 double legend_height(std::size_t entries, std::size_t columns);

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMostLinesPerNode = 3;
 
 // Of VTK.
-constexpr int kVertex = 1, kPolyVertex = 2, kLine = 3;
+constexpr int kVertex = 1, kPolyVertex = 2, kVtuLine = 3;
 
 // How ParaView draws an element: the first of these that its type begins with, and in which order
 // VTK has its nodes, where that is another one. It has as many nodes.
@@ -24,8 +24,8 @@ struct Drawn {
 };
 constexpr Drawn kDrawn[] = {
     {"C3D4", 4, 10},   {"C3D6", 6, 13},   {"C3D8", 8, 12}, {"C3D10", 10, 24},  {"C3D15", 15, 26},
-    {"C3D20", 20, 25}, {"B31", 2, kLine}, {"B32", 3, 21},  {"T3D2", 2, kLine}, {"T3D3", 3, 21},
-    {"B21", 2, kLine}, {"S3", 3, 5},      {"S4", 4, 9},    {"S6", 6, 22},      {"S8", 8, 23},
+    {"C3D20", 20, 25}, {"B31", 2, kVtuLine}, {"B32", 3, 21},  {"T3D2", 2, kVtuLine}, {"T3D3", 3, 21},
+    {"B21", 2, kVtuLine}, {"S3", 3, 5},      {"S4", 4, 9},    {"S6", 6, 22},      {"S8", 8, 23},
 };
 constexpr int kQuadraticEdge = 21;
 
@@ -60,7 +60,7 @@ std::vector<Cell> cells_of(const MatrixModes& found, const std::map<long, std::s
   };
   for (const MeshElement& element : found.elements) add(cell_of(element), element.nodes);
   if (cells.empty() && found.couplings.size() <= kMostLinesPerNode * places.size())
-    for (const auto& [first, second] : found.couplings) add(kLine, {first, second});
+    for (const auto& [first, second] : found.couplings) add(kVtuLine, {first, second});
   if (cells.empty())
     for (const auto& [node, place] : places) cells.push_back({kVertex, {place}});
   return cells;

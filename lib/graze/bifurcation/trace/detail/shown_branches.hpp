@@ -4,7 +4,8 @@
 #include <functional>
 #include <optional>
 
-#include "graze/bifurcation/trace/orbit_branches.hpp"
+#include "graze/assembly/system_family.hpp"
+#include "graze/bifurcation/trace/orbit_branches_values.hpp"
 
 namespace graze {
 

@@ -1,9 +1,10 @@
-// Room for words beside what a panel shows: a label covers no mark and no other label, and crosses
-// lines and dots only where there is no place without.
+// Room for words beside what a panel shows: a label covers no mark and no other label, is crossed
+// by no line, and covers dots only where there is no place without.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "graze/report/picture/detail/branch_lines.hpp"
@@ -29,8 +30,8 @@ class LabelRoom {
   // farther away; false where there is none.
   bool write(GnuplotScript& script, const std::string& text, double x, double y);
   // Ids beside their points; what stands at one place, as the end of one branch and the beginning
-  // of the next, has one label. Of many none stands away from its point: lines to all would be a
-  // net.
+  // of the next, has one label, which counts them where they are more than two. Of many none stands
+  // away from its point: lines to all would be a net.
   struct NamedPoint {
     double x = 0.0, y = 0.0;
     std::string id;
@@ -51,6 +52,18 @@ class LabelRoom {
     double away = 0.0;        // cm
   };
 
+  // A thin line from a place to its label, cm.
+  struct Leader {
+    double from_x = 0.0, from_y = 0.0, to_x = 0.0, to_y = 0.0;
+    std::pair<double, double> at(int step) const {
+      const double part = static_cast<double>(step) / kLeaderSteps;
+      return {from_x + part * (to_x - from_x), from_y + part * (to_y - from_y)};
+    }
+  };
+  static constexpr int kLeaderSteps = 40;
+  static Leader leader_to(const Box& box, double x, double y);
+  bool meets_label(const Leader& leader) const;
+
   double cm_x(double x) const { return width_ * plane_.across(x); }
   double cm_y(double y) const { return height_ * plane_.up(y); }
   void fill(const Box& box, unsigned char with);
@@ -62,7 +75,7 @@ class LabelRoom {
   double width_, height_;
   int columns_, rows_;
   bool is_crowded_ = false, is_on_ground_ = false;
-  std::vector<unsigned char> taken_;  // by cells: a line 1, a dot 2, a mark or a label 255
+  std::vector<unsigned char> taken_;  // by cells: a dot 1, a line 253, a mark 254, a label 255
 };
 
 }  // namespace graze

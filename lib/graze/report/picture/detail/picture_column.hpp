@@ -1,5 +1,5 @@
 // The layout of a picture of a run: panels over one time axis, one below the other, then a row of
-// panels with axes of their own. Lengths are centimetres of a picture 12 cm wide.
+// panels with axes of their own. Lengths are centimetres of a Canvas.
 #pragma once
 
 #include <string>
@@ -18,9 +18,9 @@ class PanelColumn {
 
   // The heights of the panels from the head down, and whether the row follows; `legend` at the head
   // and `labels` at the right take their room. To be called first.
-  void lay_out(std::vector<double> panels, bool row, bool legend, bool labels);
-  // Height of the picture over its width.
-  double proportion() const;
+  void lay_out(const PictureRequest& request, const RunInfo& info, std::vector<double> panels,
+               bool row, bool legend, bool labels);
+  const Canvas& canvas() const { return canvas_; }
 
   // `name`: of what the panels share where that is not time.
   void set_time_axis(const AxisRange& range, const std::string& unit,
@@ -55,6 +55,8 @@ class PanelColumn {
   std::vector<double> panels_;
   std::string time_unit_, time_name_;
   std::size_t begun_ = 0;
+  Canvas canvas_;
+  double row_ = kRow;                 // height of the row
   double right_ = 0.0, total_ = 0.0;  // margin, height of the picture
   double top_ = 0.0, height_ = 0.0;   // of the panel begun, from the head
   AxisRange vertical_;                // of the panel begun

@@ -38,7 +38,7 @@ void draw_locus_curves(const OrbitLoci& traced, const PicturePlane& plane, LociG
 void label_loci(const OrbitLoci& traced, const PicturePlane& plane, LabelChoice choice,
                 LabelRoom& room, GnuplotScript& script);
 
-// Of the axes that loci are drawn in, cm.
-inline constexpr double kLociWidth = 9.36, kLociHeight = 5.4;
+// Of the axes that loci are drawn in.
+LabelRoom loci_room(const PicturePlane& plane, const Canvas& canvas);
 
 }  // namespace graze
