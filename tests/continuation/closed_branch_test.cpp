@@ -1,7 +1,9 @@
 // Branches that start on a branch point and come back to it: closed, once round, nothing twice.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "graze/continuation/branch.hpp"
@@ -136,7 +138,7 @@ TEST(ClosedBranches, TellTheSpecialPointsOfTheEnzymeOnce) {
   }
 }
 
-// (x, p) = sin(s) (cos(t), sin(t)) + .. : Gerono's lemniscate x^2 = p^2 (1 - p^2), turned. It
+// Gerono's lemniscate x^2 = y^2 (1 - y^2), turned. It
 // crosses itself where it starts: round it goes through both loops.
 TEST(ClosedBranches, ThatCrossThemselvesGoThroughBothLoops) {
   for (const double turn : {0.2, 0.7, 1.2}) {
