@@ -103,6 +103,8 @@ const char* end_name(BranchEnd end) {
       return "unknown_limit";
     case BranchEnd::kClosed:
       return "closed";
+    case BranchEnd::kStart:
+      return "start";
     case BranchEnd::kStepLimit:
       return "step_limit";
     case BranchEnd::kNotConverged:

@@ -35,6 +35,14 @@ def test_a_cusp_with_its_jacobian():
     assert np.allclose(found, [(-2.0, 1.0), (2.0, -1.0)], atol=1e-9)
 
 
+def test_large_numbers_leave_large_residuals():
+    """u^3 - 3e8 u = 1e12 p: folds at u = -1e4, p = 2 and u = 1e4, p = -2."""
+    branch = graze.continuation(lambda u, p: u**3 - 3e8 * u - p * 1e12, 2.2e4, 4, from_=-5, to=5)
+    assert branch.ends == ("parameter_limit", "parameter_limit")
+    found = sorted((point.p, point.u[0]) for point in branch.special)
+    assert np.allclose(found, [(-2.0, 1e4), (2.0, -1e4)], rtol=1e-6)
+
+
 def test_a_pitchfork_is_a_branch_point():
     """u (p - u^2) = 0 along u = 0 passes p = 0."""
     branch = graze.continuation(lambda u, p: u * (p - u**2), 0.0, -0.97, from_=-1, to=1)

@@ -88,7 +88,8 @@ def continuation(
 
     max_step: largest change of p in one step (0: a fiftieth of the range); max_distance: of the
     unknowns, relative to 1 + their norm; max_turn: of the tangent, rad; residual_tolerance: largest
-    entry of F at a point; max_points: in each direction; max_seconds: of computing time.
+    entry of F at a point; or, where F is so large that its rounding is more, of the last correction
+    of u, relative to 1 + its norm; max_points: in each direction; max_seconds: of computing time.
 
     Raises NumericsError where no solution lies near the start, and whatever F raises.
     """

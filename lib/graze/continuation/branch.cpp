@@ -104,6 +104,8 @@ class Tracer {
     } else if (directions == Directions::kBoth) {
       start.turn_round();
       branch = joined(follow(start), branch);
+    } else {
+      branch.ends[0] = BranchEnd::kStart;
     }
     add_critical_points(branch, problem_, corrector_, options_.stop);
     branch.evaluations = corrector_.evaluations();

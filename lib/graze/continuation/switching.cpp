@@ -48,9 +48,10 @@ void list_crossing(Branch& branch) {
   const auto here =
       std::find_if(branch.points.begin(), branch.points.end(),
                    [&](const SolutionPoint& point) { return point.orientation == 0; });
-  if (here == branch.points.begin() || here >= branch.points.end() - 1) return;
+  const bool at_ends = branch.closed() && here == branch.points.begin();
+  if (!at_ends && (here == branch.points.begin() || here >= branch.points.end() - 1)) return;
   const auto index = static_cast<std::size_t>(here - branch.points.begin());
-  CriticalPoint critical{CriticalKind::kBranchPoint, *here, index - 1, {}};
+  CriticalPoint critical{CriticalKind::kBranchPoint, *here, at_ends ? 0 : index - 1, {}};
   critical.point.bracket = bracket_around({here->parameter}, true);
   if (!here->multipliers.empty())
     critical.multiplier =
@@ -58,6 +59,10 @@ void list_crossing(Branch& branch) {
                           [](const Eigenvalue& a, const Eigenvalue& b) {
                             return std::abs(a.value - 1.0) < std::abs(b.value - 1.0);
                           });
+  if (at_ends) {
+    branch.critical.insert(branch.critical.begin(), std::move(critical));
+    return;
+  }
   branch.points.erase(here);
   for (CriticalPoint& other : branch.critical)
     if (other.after >= index) --other.after;

@@ -25,8 +25,8 @@ std::optional<SolutionPoint> other_branch(const ZeroProblem& problem,
                                           const ContinuationOptions& options,
                                           const SolutionPoint& at);
 
-// A branch that was traced both ways from a branch point has that among its points: makes it one of
-// its special points.
+// A branch that was traced both ways from a branch point has that among its points, a closed one at
+// its ends: makes it one of its special points.
 void list_crossing(Branch& branch);
 
 }  // namespace graze

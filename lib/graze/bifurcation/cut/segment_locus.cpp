@@ -41,10 +41,24 @@ LocusPlace as_place(const LocusSite& at, const Orbit& orbit) {
 
 std::optional<LocusPlace> FixedPhaseLocus::place(const LocusSite& at,
                                                  std::optional<LocusMargin> /*zero*/) const {
+  if (const auto kept = kept_.find(unknowns_of(at)); kept != kept_.end()) return kept->second;
   const System* system = system_at(at);
   const std::optional<Orbit> orbit =
       system ? orbit_of(*system, equations_.shooting(), at.u, {}) : std::nullopt;
   return orbit ? std::optional(as_place(at, *orbit)) : std::nullopt;
+}
+
+FixedPhaseLocus::Unknowns FixedPhaseLocus::unknowns_of(const LocusSite& at) {
+  Unknowns unknowns{at.first, at.second};
+  unknowns.insert(unknowns.end(), at.u.begin(), at.u.end());
+  return unknowns;
+}
+
+bool FixedPhaseLocus::keep(const LocusSite& at) const {
+  std::optional<LocusPlace> there = place(at, {});
+  if (!there) return false;
+  kept_.emplace(unknowns_of(at), std::move(*there));
+  return true;
 }
 
 // Contacts may be born and lost along it: those of its first point name it.

@@ -36,6 +36,8 @@ LocusStart as_start(const OrbitLocusStart& start, const OrbitProblems::Written& 
   return {as_locus_kind(start.kind), one.u, start.first, start.second, start.multiplier};
 }
 
+std::array<double, 2> place_of(const OrbitLocusStart& start) { return {start.first, start.second}; }
+
 LocusSite site_of(const LocusPoint& at) { return {at.u, at.first, at.second, at.angle}; }
 
 MotionScale own_scale(const Scene& scene, const std::string& parameter) {
@@ -75,9 +77,10 @@ void LocusTracer::know(const OrbitLocusStart& start, LocusAnswer answer) {
   if (answer.critical) {
     const std::vector<Written> list = written(start);
     if (list.empty()) return;
-    Critical& critical = critical_of(*list.front().orbits);
-    critical.traced[start.kind].add((*list.front().orbits)->problem(),
-                                    options_for(*critical.orbits), *answer.critical);
+    const Written one = problems_.clear_of_contacts(list.front(), place_of(start));
+    Critical& critical = critical_of(*one.orbits);
+    critical.traced[start.kind].add((*one.orbits)->problem(), options_for(*critical.orbits),
+                                    *answer.critical);
   } else if (!answer.curve.empty()) {
     const CurveStart at = curve_at(start);
     if (!at.curves) return;
@@ -120,13 +123,14 @@ LocusOptions LocusTracer::options_for(const LocusOrbits& orbits) const {
 }
 
 bool LocusTracer::knows_critical(const OrbitLocusStart& start) {
-  for (const Written& one : written(start)) {
-    Critical& critical = critical_of(*one.orbits);
-    const KnownLoci& traced = critical.traced[start.kind];
-    if (!traced.empty() &&
-        traced.find((*one.orbits)->problem(), options_for(*critical.orbits), as_start(start, one)))
-      return true;
-  }
+  for (const Written& here : written(start))
+    for (const Written& one : problems_.on_every_section(here, place_of(start))) {
+      Critical& critical = critical_of(*one.orbits);
+      const KnownLoci& traced = critical.traced[start.kind];
+      if (!traced.empty() && traced.find((*one.orbits)->problem(), options_for(*critical.orbits),
+                                         as_start(start, one)))
+        return true;
+    }
   return false;
 }
 
@@ -135,9 +139,10 @@ LocusAnswer LocusTracer::trace_critical(const OrbitLocusStart& start) {
   const std::vector<Written> list = written(start);
   // While as many stops are closed as there are modes all multipliers are zero.
   if (list.empty() || !(*list.front().orbits)->has_multipliers()) return answer;
-  const Critical& critical = critical_of(*list.front().orbits);
-  answer.critical = trace_locus((*list.front().orbits)->problem(), options_for(*critical.orbits),
-                                as_start(start, list.front()));
+  const Written one = problems_.clear_of_contacts(list.front(), place_of(start));
+  const Critical& critical = critical_of(*one.orbits);
+  answer.critical =
+      trace_locus((*one.orbits)->problem(), options_for(*critical.orbits), as_start(start, one));
   if (!answer.critical) return answer;
   answer.evaluations = answer.critical->evaluations;
   answer.trace = as_trace(start.kind, *critical.orbits, *answer.critical);

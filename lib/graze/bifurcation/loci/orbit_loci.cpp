@@ -231,9 +231,14 @@ class LociTracer {
     tracer_.know(start, std::move(answer));
   }
 
-  // What was started where several loci meet may creep about there.
+  // What was started where several loci meet may creep about there; one that was stopped has only
+  // begun.
   bool is_a_point(const OrbitLocus& locus) const {
     const OrbitLocusPoint& first = locus.points.front();
+    if (std::ranges::any_of(locus.ends, [](OrbitLocusEnd end) {
+          return end == OrbitLocusEnd::kOutOfTime || end == OrbitLocusEnd::kStopped;
+        }))
+      return false;
     return std::all_of(locus.points.begin(), locus.points.end(), [&](const OrbitLocusPoint& point) {
       return distance(point, first, range_) <= kOnePlace;
     });

@@ -21,6 +21,57 @@ constexpr double kRigidAccuracy = 4.0 * std::numeric_limits<double>::epsilon();
 // what solving with them costs.
 constexpr double kCritical = 1e3 * kMapAccuracy;
 
+// Slopes of the map are smooth but where a contact is born, or passes a section: beside that they
+// go with the root of the distance, as the duration of the contact does. Over a step of .6 of the
+// distance, where that differs twofold, a central difference errs by 5 %.
+constexpr double kLikeDuration = 2.0;
+// A step that reaches too far is taken so many times shorter, until its ends do not differ by more
+// than this part of it for rounding alone: what leads Newton's method need not be known better.
+constexpr double kShorter = 1.0 / 8.0;
+constexpr double kLostDigits = 1e-2;
+
+// Whether motions have the same contacts, none of them all but lost in one of them.
+bool are_alike(const std::vector<PassedContact>& some, const std::vector<PassedContact>& others) {
+  return std::ranges::equal(some, others, [](const PassedContact& a, const PassedContact& b) {
+    const auto [shorter, longer] = std::minmax(a.duration, b.duration);
+    return a.stop == b.stop && a.from_start == b.from_start && a.to_end == b.to_end &&
+           longer <= kLikeDuration * shorter;
+  });
+}
+
+bool is_smooth(const Stop& stop) { return stop.is_compliant() && stop.force().sets_in_smoothly(); }
+
+// The phase farthest from the beginnings and ends of contacts, `jumps`: of those with a jump of the
+// derivative alone, as a forcing phase, rad; nothing where there are none, or where theta lies at
+// least a part of that far from them.
+std::optional<double> section_clear_of(const System& system,
+                                       const std::vector<OrbitImpact>& impacts, double theta,
+                                       bool jumps) {
+  // Far enough for a step, near enough for few moves.
+  constexpr double kPart = 0.25;
+  std::vector<double> phases;
+  for (const OrbitImpact& impact : impacts) {
+    const Stop& stop = system.stops[static_cast<std::size_t>(impact.stop)];
+    if (jumps && is_smooth(stop)) continue;
+    phases.push_back(impact.phase);
+    if (stop.is_compliant())
+      phases.push_back(
+          wrapped(impact.phase + system.forcing()->frequency * impact.contact->duration));
+  }
+  if (phases.empty()) return {};
+  std::sort(phases.begin(), phases.end());
+  double best = 0.0, middle = 0.0, nearest = kTurn;
+  for (std::size_t i = 0; i < phases.size(); ++i) {
+    const double next = i + 1 < phases.size() ? phases[i + 1] : phases.front() + kTurn;
+    const double ahead = wrapped(phases[i] - theta);
+    nearest = std::min({nearest, ahead, kTurn - ahead});
+    if (next - phases[i] <= best) continue;
+    best = next - phases[i];
+    middle = wrapped(0.5 * (phases[i] + next));
+  }
+  return nearest < kPart * 0.5 * best ? std::optional(middle) : std::nullopt;
+}
+
 }  // namespace
 
 SegmentEquations::SegmentEquations(const Scene& scene, const std::vector<std::string>& parameters,
@@ -72,30 +123,46 @@ std::optional<Eigen::MatrixXcd> SegmentEquations::curvature(
   for (const CriticalProduct& one : products) list.push_back({one.left, one.right, one.multiplier});
   const Eigen::Index n = u.size(), m = static_cast<Eigen::Index>(at.size());
   const Eigen::Index head = shooting_.head(), size = map().size();
-  // Differences of slopes err least over steps of the cube root of what these are known to, in
-  // units of the unknowns and of the parameters.
-  const double length = std::cbrt(layout().closed.empty() ? kMapAccuracy : kRigidAccuracy);
   Eigen::MatrixXcd rows = Eigen::MatrixXcd::Zero(std::ssize(list), n + m);
   for (Eigen::Index j = 0; j < n + m; ++j) {
     const bool is_local = j >= head && j < n;
     const int first = is_local ? static_cast<int>((j - head) / size) : 0;
     const int last = is_local ? first : layout().sections - 1;
-    const auto parameter = static_cast<std::size_t>(std::max<Eigen::Index>(j - n, 0));
-    const double step = j < n ? length : length * units_[parameter];
-    for (const double side : {1.0, -1.0}) {
-      Vector moved = u;
-      std::vector<double> there(at.begin(), at.end());
-      (j < n ? moved[j] : there[parameter]) += side * step;
-      const System* system = system_at(there);
-      for (int i = first; i <= last; ++i) {
-        const auto sums =
-            system ? shooting_.products(*system, moved, i, list) : std::optional<ComplexVector>();
-        if (!sums) return {};
-        rows.col(j) += side / (2.0 * step) * *sums;
-      }
+    for (int i = first; i <= last; ++i) {
+      const std::optional<ComplexVector> rate = products_rate(u, at, j, i, list);
+      if (!rate) return {};
+      rows.col(j) += *rate;
     }
   }
   return rows;
+}
+
+std::optional<ComplexVector> SegmentEquations::products_rate(
+    const Vector& u, Parameters at, Eigen::Index j, int section,
+    const std::vector<SegmentProduct>& list) const {
+  const Eigen::Index n = u.size();
+  const auto moved_by = [&](double step) -> std::optional<SegmentShooting::Products> {
+    Vector moved = u;
+    std::vector<double> there(at.begin(), at.end());
+    if (j < n)
+      moved[j] += step;
+    else
+      there[static_cast<std::size_t>(j - n)] += step * units_[static_cast<std::size_t>(j - n)];
+    const System* system = system_at(there);
+    if (!system) return {};
+    return shooting_.products(*system, moved, section, list);
+  };
+  // Differences of slopes err least over steps of the cube root of what these are known to, in
+  // units of the unknowns and of the parameters.
+  const double accuracy = layout().closed.empty() ? kMapAccuracy : kRigidAccuracy;
+  const double unit = j < n ? 1.0 : units_[static_cast<std::size_t>(j - n)];
+  for (double step = std::cbrt(accuracy); step * kLostDigits >= accuracy; step *= kShorter) {
+    const auto ahead = moved_by(step), behind = moved_by(-step);
+    if (!ahead || !behind) return {};
+    if (are_alike(ahead->contacts, behind->contacts))
+      return (ahead->sums - behind->sums) / (2.0 * step * unit);
+  }
+  return {};
 }
 
 Vector SegmentEquations::halves_differ(const SolutionPoint& solution) const {
@@ -184,36 +251,41 @@ bool SegmentEquations::sets_in_smoothly(const SolutionPoint& solution, int stop)
 }
 
 std::optional<double> SegmentEquations::clearer_section(const SolutionPoint& solution) const {
-  // Far enough for a step, near enough for few moves.
-  constexpr double kPart = 0.25;
   const System* system = system_at(solution.parameters());
-  const auto is_smooth = [](const Stop& stop) {
-    return stop.is_compliant() && stop.force().sets_in_smoothly();
-  };
-  if (!system || std::all_of(system->stops.begin(), system->stops.end(), is_smooth)) return {};
+  if (!system || std::ranges::all_of(system->stops, is_smooth)) return {};
   const std::optional<OrbitBranchPoint> at = judge(solution);
   if (!at) return {};
-  std::vector<double> phases;
-  for (const OrbitImpact& impact : at->orbit.impacts) {
-    const Stop& stop = system->stops[static_cast<std::size_t>(impact.stop)];
-    if (is_smooth(stop)) continue;
-    phases.push_back(impact.phase);
-    if (stop.is_compliant())
-      phases.push_back(
-          wrapped(impact.phase + system->forcing()->frequency * impact.contact->duration));
+  return section_clear_of(*system, at->orbit.impacts, layout().theta, true);
+}
+
+std::unique_ptr<OrbitProblem> SegmentEquations::clear_of_contacts(const Vector& u,
+                                                                  Parameters at) const {
+  const System* system = layout().released ? nullptr : system_at(at);
+  const std::optional<Orbit> orbit = system ? orbit_of(*system, shooting_, u, {}) : std::nullopt;
+  const std::optional<double> section =
+      orbit ? section_clear_of(*system, orbit->impacts, layout().theta, false) : std::nullopt;
+  return section ? at_section(*section) : nullptr;
+}
+
+std::unique_ptr<OrbitProblem> SegmentEquations::at_section(double theta) const {
+  SegmentLayout moved = layout();
+  moved.theta = theta;
+  return laid(std::move(moved));
+}
+
+std::optional<Vector> SegmentEquations::carried(const Vector& u, Parameters at,
+                                                double theta) const {
+  const System* system = system_at(at);
+  if (!system) return {};
+  const double angle = wrapped(theta - layout().theta);
+  Vector there = u;
+  for (Eigen::Index i = 0; i < u.size(); i += map().size()) {
+    const auto within =
+        map().within(*system, u.segment(i, map().size()), layout().theta, angle, false, {});
+    if (!within) return {};
+    there.segment(i, map().size()) = map().pack(within->state);
   }
-  if (phases.empty()) return {};
-  std::sort(phases.begin(), phases.end());
-  double best = 0.0, middle = 0.0, nearest = kTurn;
-  for (std::size_t i = 0; i < phases.size(); ++i) {
-    const double next = i + 1 < phases.size() ? phases[i + 1] : phases.front() + kTurn;
-    const double ahead = wrapped(phases[i] - layout().theta);
-    nearest = std::min({nearest, ahead, kTurn - ahead});
-    if (next - phases[i] <= best) continue;
-    best = next - phases[i];
-    middle = wrapped(0.5 * (phases[i] + next));
-  }
-  return nearest < kPart * 0.5 * best ? std::optional(middle) : std::nullopt;
+  return there;
 }
 
 std::optional<SolutionPoint> SegmentEquations::carried_to(const OrbitProblem& other,
@@ -257,10 +329,7 @@ std::unique_ptr<OrbitProblem> SegmentEquations::clearer(const SolutionPoint& sol
   // A release lies where it lies.
   const std::optional<double> section =
       layout().released ? std::nullopt : clearer_section(solution);
-  if (!section) return {};
-  SegmentLayout moved = layout();
-  moved.theta = *section;
-  return laid(std::move(moved));
+  return section ? at_section(*section) : nullptr;
 }
 
 std::vector<SolutionPoint> SegmentEquations::rewritings(const OrbitProblem& of,

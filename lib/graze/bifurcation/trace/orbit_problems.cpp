@@ -88,6 +88,32 @@ LaidOrbits& OrbitProblems::fixed_phase_once(const LaidOrbits& orbits) {
   return keep(once, orbits.closure_speed, [&] { return segments.laid(once); });
 }
 
+OrbitProblems::Written OrbitProblems::clear_of_contacts(const Written& one, Parameters at) {
+  const auto* segments = dynamic_cast<const SegmentEquations*>(one.orbits->problem.get());
+  std::unique_ptr<OrbitProblem> other = segments ? segments->clear_of_contacts(one.u, at) : nullptr;
+  if (!other) return one;
+  const OrbitLayout layout = other->orbit_layout();
+  const auto u = segments->carried(one.u, at, std::get<SegmentLayout>(layout).theta);
+  if (!u) return one;
+  return {&keep(layout, one.orbits->closure_speed, [&] { return std::move(other); }), *u};
+}
+
+std::vector<OrbitProblems::Written> OrbitProblems::on_every_section(const Written& one,
+                                                                    Parameters at) {
+  std::vector<Written> list{one};
+  const auto* segments = dynamic_cast<const SegmentEquations*>(one.orbits->problem.get());
+  if (!segments || segments->layout().released) return list;
+  for (LaidOrbits& known : orbits_) {
+    const auto* other = dynamic_cast<const SegmentEquations*>(known.problem.get());
+    if (!other || other == segments || known.closure_speed != one.orbits->closure_speed) continue;
+    SegmentLayout layout = segments->layout();
+    layout.theta = other->layout().theta;
+    if (!(layout == other->layout())) continue;
+    if (const auto u = segments->carried(one.u, at, layout.theta)) list.push_back({&known, *u});
+  }
+  return list;
+}
+
 LaidOrbits* OrbitProblems::clearer(const LaidOrbits& orbits, const SolutionPoint& solution) {
   std::unique_ptr<OrbitProblem> other = orbits->clearer(solution);
   if (!other) return nullptr;

@@ -70,7 +70,9 @@ struct ContinuationOptions {
   // Largest turn of the tangent in one step, rad. Sharper turns mean that the step is too long for
   // the branch, or that it landed on another one.
   double max_turn = 0.3;
-  double residual_tolerance = 1e-11;   // largest entry of F at an accepted point
+  // Largest entry of F at an accepted point; or, where F is so large that its rounding is more, of
+  // Newton's correction of x, relative to 1 + |x|.
+  double residual_tolerance = 1e-11;
   int max_points = kMostBranchPoints;  // in each direction
   StopSignal stop{};
   // Asked of the ends of every step; false: it is too long to show what happens within, and taken
@@ -85,6 +87,7 @@ enum class BranchEnd {
   kUnknownLimit,  // of the range of an unknown
   kClosed,        // came back to where it started
   kStepLimit,     // max_points reached
+  kStart,         // its start: it was not traced that way
   kNotConverged,  // no step, however small, converges
   kHalted,        // `proceed` said no
   kOutOfTime,     // the budget of computing time is spent

@@ -59,13 +59,16 @@ std::optional<Corrector::Linearised> Corrector::linearise(const Vector& x, const
 
 std::optional<SolutionPoint> Corrector::solve(Vector x, const Vector& normal, double contraction) {
   const Eigen::Index n = x.size() - 1;
-  double last = std::numeric_limits<double>::infinity();
+  double last = std::numeric_limits<double>::infinity(), before = last;
   for (int i = 0; i < kMostCorrections; ++i) {
     std::optional<Linearised> at = linearise(x, normal);
     if (!at) return {};
     const InPlaceLU lu(at->bordered);
     const double residual = at->residual.cwiseAbs().maxCoeff();
-    if (residual <= options_.residual_tolerance && last <= kCorrectorSettled) {
+    // What a correction this small does not halve is rounding.
+    const bool is_rounding =
+        2.0 * residual >= before && last <= options_.residual_tolerance * (1.0 + x.norm());
+    if ((residual <= options_.residual_tolerance && last <= kCorrectorSettled) || is_rounding) {
       const Vector tangent = lu.solve(Vector::Unit(n + 1, n)).normalized();
       if (!tangent.allFinite()) return {};
       // The tangent leans to the side of the normal, so its determinant has the normal's sign.
@@ -76,6 +79,7 @@ std::optional<SolutionPoint> Corrector::solve(Vector x, const Vector& normal, do
     if (!std::isfinite(size) || (size > contraction * last && size > kCorrectorSettled)) return {};
     x += step;
     last = size;
+    before = residual;
   }
   return {};
 }

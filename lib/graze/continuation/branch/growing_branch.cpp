@@ -1,5 +1,6 @@
 #include "graze/continuation/branch/detail/growing_branch.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "graze/continuation/branch/detail/locate.hpp"
@@ -9,6 +10,9 @@ namespace {
 
 // A branch closes only after it has been this far from its start, well beyond kOnePoint.
 constexpr double kAway = 1e-5;
+// Tangents at a branch point that differ by less than this, rad, are one: the other branch leaves
+// it at more.
+constexpr double kOneTangent = 1e-2;
 
 }  // namespace
 
@@ -73,8 +77,28 @@ void GrowingBranch::keep(std::size_t count) {
 bool GrowingBranch::closes(const SolutionPoint& next) {
   const SolutionPoint& start = branch_.points.front();
   left_start_ = left_start_ || corrector_.chord(start, last()).norm() > kAway;
+  if (start.orientation == 0) return left_start_ && crosses_start(next);
   return left_start_ && lies_between(corrector_, last(), next, start, options_.max_turn) &&
          start.tangent.dot(last().tangent) > 0.0;
+}
+
+// A start on a branch point is no regular solution to be corrected to. A branch comes back to it in
+// a step so short that no other branch point lies there, and along the tangent that it left with:
+// one that crosses itself passes it before along another. Tangents next to it are lost in rounding:
+// that of the last point clear of it is turned on by as much as it turned to the chord.
+bool GrowingBranch::crosses_start(const SolutionPoint& next) {
+  const SolutionPoint& start = branch_.points.front();
+  if (last().orientation * next.orientation >= 0) return false;
+  const double near = kOneCrossing * (1.0 + corrector_.pack(start).norm());
+  if (corrector_.chord(last(), start).norm() > corrector_.chord(last(), next).norm() + near)
+    return false;
+  std::size_t clear = size() - 1;
+  while (clear > 0 && corrector_.chord(branch_.points[clear], start).norm() <= near) --clear;
+  if (clear == 0) return false;
+  const Vector chord = corrector_.chord(branch_.points[clear], start).normalized();
+  const Vector& before = branch_.points[clear].tangent;
+  const Vector arriving = 2.0 * chord.dot(before) * chord - before;
+  return start.tangent.dot(arriving) >= std::cos(kOneTangent);
 }
 
 // The start once more, with angles as the branch has counted them.

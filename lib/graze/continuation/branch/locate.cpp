@@ -98,7 +98,7 @@ std::optional<SolutionPoint> locate(Corrector& corrector, const SolutionPoint& a
 std::optional<SolutionPoint> fold_between(Corrector& corrector, const SolutionPoint& a,
                                           const SolutionPoint& b) {
   // Where a branch leaves another one its parameter may stand still, but it does not turn back.
-  if (a.orientation == 0 || a.rate() * b.rate() >= 0.0) return {};
+  if (a.orientation * b.orientation == 0 || a.rate() * b.rate() >= 0.0) return {};
   if (std::max(std::abs(a.rate()), std::abs(b.rate())) <= kUprightRate) return {};
   return locate(corrector, a, b, [](const SolutionPoint& p) { return p.rate(); });
 }

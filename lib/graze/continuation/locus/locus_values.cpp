@@ -68,6 +68,7 @@ LocusEnd as_locus_end(BranchEnd end, bool first) {
       return LocusEnd::kStopped;
     case BranchEnd::kHalted:
       return LocusEnd::kHalted;
+    case BranchEnd::kStart:
     case BranchEnd::kNotConverged:
       break;
   }

@@ -90,8 +90,9 @@ std::optional<Vector> crossing_near(Corrector& corrector, const Vector& guess) {
     Vector target(n + 2);
     target << -at->residual - unfolding * borders->left.col(0), -singular->value;
     const Vector step = LuFactors(jacobian).solve(target);
-    const double size = step.norm();
-    if (!std::isfinite(size) || (size > 0.5 * last && size > kCriticalSettled)) return {};
+    // The unfolding, in units of F, enters linearly: it is right where x is.
+    const double size = step.head(n + 1).norm();
+    if (!step.allFinite() || (size > 0.5 * last && size > kCriticalSettled)) return {};
     x += step.head(n + 1);
     unfolding += step[n + 1];
     if (size <= kCriticalSettled) return x;
@@ -266,6 +267,8 @@ class CriticalSearch {
   // show several.
   void drop_folds_at_branch_points() {
     std::vector<Vector> crossings;
+    for (const SolutionPoint& point : branch_.points)
+      if (point.orientation == 0) crossings.push_back(corrector_.pack(point));
     for (const CriticalPoint& critical : branch_.critical)
       if (critical.kind == CriticalKind::kBranchPoint)
         crossings.push_back(corrector_.pack(critical.point));

@@ -182,7 +182,9 @@ std::optional<SectionMap::Image> SectionMap::image(const System& system, const V
                                      parameter ? &*parameter : nullptr);
     if (!segment.failure.empty()) return {};
     if (parameter) image.by_parameters.col(static_cast<Eigen::Index>(k)) = pack(parameter->value());
-    if (k == 0) image.end = std::move(segment.end);
+    if (k > 0) continue;
+    image.end = std::move(segment.end);
+    image.contacts = std::move(segment.contacts);
   }
   image.image = pack({image.end.q, image.end.qdot});
   const Matrix slopes = seen(deviations.q, deviations.qdot);

@@ -200,10 +200,11 @@ std::vector<Eigenvalue> SegmentShooting::multipliers(const System& system, const
   return multipliers(system, factors, errors);
 }
 
-std::optional<ComplexVector> SegmentShooting::products(
+std::optional<SegmentShooting::Products> SegmentShooting::products(
     const System& system, const Vector& u, int i, const std::vector<SegmentProduct>& list) const {
   const Eigen::Index n = map_.size(), at = head() + i * n;
-  ComplexVector sums = ComplexVector::Zero(static_cast<Eigen::Index>(list.size()));
+  Products found{ComplexVector::Zero(static_cast<Eigen::Index>(list.size())), {}};
+  ComplexVector& sums = found.sums;
   const auto passed = map_.image(system, at_section(u, i), theta_of(u), periods_each(),
                                  layout_.released.has_value(), {});
   const auto chart = map_.chart_at(system, at_section(u, i));
@@ -221,7 +222,10 @@ std::optional<ComplexVector> SegmentShooting::products(
     const Force zero = force(system, u, *chart, {});
     sums[k] += left[0] * (zero.by_theta * right[0] + (zero.by_x * right.segment(1, n))(0));
   }
-  return sums;
+  for (const SegmentContact& contact : passed->contacts)
+    found.contacts.push_back({contact.stop, contact.from_start, contact.to_end,
+                              seconds_between(system, contact.from, contact.to)});
+  return found;
 }
 
 std::vector<TrajectorySegment> SegmentShooting::follow(const System& system, const Vector& u,

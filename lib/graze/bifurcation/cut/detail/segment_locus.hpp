@@ -3,6 +3,9 @@
 // lead to none, are the same: it ends at CH or GR, which is bracketed.
 #pragma once
 
+#include <map>
+#include <vector>
+
 #include "graze/bifurcation/cut/detail/locus_orbits.hpp"
 #include "graze/bifurcation/problem/detail/segment_equations.hpp"
 
@@ -21,8 +24,10 @@ class FixedPhaseLocus : public LocusOrbits {
   std::optional<LocusPlace> place(const LocusSite& at,
                                   std::optional<LocusMargin> zero) const override;
   ImpactPattern pattern(const std::vector<LocusPlace>& places) const override;
-  bool goes_on(const LocusSite& /*previous*/, const LocusSite& here) const override {
-    return place(here, {}).has_value();
+  // Keeps the places that it goes on from: after a stop no motion is followed any more.
+  bool goes_on(const LocusSite& previous, const LocusSite& here) const override {
+    keep(previous);
+    return keep(here);
   }
 
  protected:
@@ -30,6 +35,13 @@ class FixedPhaseLocus : public LocusOrbits {
     return equations_.system_at(std::array{at.first, at.second});
   }
   const SegmentEquations& equations_;
+
+ private:
+  using Unknowns = std::vector<double>;  // both parameters and u
+  static Unknowns unknowns_of(const LocusSite& at);
+  bool keep(const LocusSite& at) const;
+
+  mutable std::map<Unknowns, LocusPlace> kept_;
 };
 
 class ReleaseLocus : public FixedPhaseLocus {

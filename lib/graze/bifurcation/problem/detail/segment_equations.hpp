@@ -75,6 +75,12 @@ class SegmentEquations : public OrbitProblem {
   std::unique_ptr<OrbitProblem> doubled() const override;
   SolutionPoint twice_round(const SolutionPoint& solution) const override;
   std::unique_ptr<OrbitProblem> clearer(const SolutionPoint& solution) const override;
+  // The same on stroboscopic sections farther from the beginnings and ends of all contacts of the
+  // orbit u, at which second derivatives jump where first ones do not; null where they are far
+  // enough.
+  std::unique_ptr<OrbitProblem> clear_of_contacts(const Vector& u, Parameters at) const;
+  // The orbit u as solved on sections at the phase theta; nothing where it cannot be followed.
+  std::optional<Vector> carried(const Vector& u, Parameters at, double theta) const;
   std::vector<SolutionPoint> rewritings(const OrbitProblem& of, const ContinuationOptions& options,
                                         const SolutionPoint& solution) const override;
 
@@ -130,6 +136,7 @@ class SegmentEquations : public OrbitProblem {
   // the motion jumps, as a forcing phase, rad; nothing where there are none, or where it lies at
   // least a part of that far from them as it is.
   std::optional<double> clearer_section(const SolutionPoint& solution) const;
+  std::unique_ptr<OrbitProblem> at_section(double theta) const;
   SegmentEquations(const Scene& scene, const std::vector<std::string>& parameters,
                    std::vector<double> units, const MotionScale& scale, SegmentShooting shooting);
   std::optional<ShootingLinearisation> linearise(
@@ -139,6 +146,11 @@ class SegmentEquations : public OrbitProblem {
                                       ErrorBounds errors) const override;
   std::optional<Eigen::MatrixXcd> curvature(
       const Vector& u, Parameters at, const std::vector<CriticalProduct>& products) const override;
+  // The rate of the products of a section by unknown j, or by parameter j - n; nothing where the
+  // motion cannot be followed, or a contact is born there or passes the section.
+  std::optional<ComplexVector> products_rate(const Vector& u, Parameters at, Eigen::Index j,
+                                             int section,
+                                             const std::vector<SegmentProduct>& list) const;
   // y = (x, first/unit, psi) and the others: where all parameters are.
   std::vector<double> parameters_of(const Vector& y, Parameters behind) const;
   std::optional<SectionMap::Within> within(const SegmentShooting& shooting, const Vector& y,

@@ -45,6 +45,10 @@ class OrbitProblems {
   LaidOrbits& doubled(const LaidOrbits& orbits);
   // Those of period 1 on the same stroboscopic section.
   LaidOrbits& fixed_phase_once(const LaidOrbits& orbits);
+  // An orbit that is written on stroboscopic sections, on sections clear of its contacts
+  // (SegmentEquations::clear_of_contacts) and on all those that any were kept for.
+  Written clear_of_contacts(const Written& one, Parameters at);
+  std::vector<Written> on_every_section(const Written& one, Parameters at);
   // As OrbitProblem::clearer; null where that is.
   LaidOrbits* clearer(const LaidOrbits& orbits, const SolutionPoint& solution);
 

@@ -41,6 +41,7 @@ class GrowingBranch {
 
  private:
   bool closes(const SolutionPoint& next);
+  bool crosses_start(const SolutionPoint& next);
   SolutionPoint closing_point() const;
 
   const ZeroProblem& problem_;

@@ -62,6 +62,7 @@ class SectionMap {
     Vector by_start;       // by the phase at which it starts, per rad, where that moves
     Vector by_end;         // by the one at which it ends
     Matrix by_parameters;  // a column for each tangent
+    std::vector<SegmentContact> contacts;
   };
   // After whole periods; `moves`: the section's phase does. Nothing where the motion cannot be
   // followed.

@@ -49,6 +49,13 @@ struct SegmentProduct {
   Complex multiplier;
 };
 
+// A contact of a segment, cut by its ends or not.
+struct PassedContact {
+  int stop = 0;
+  bool from_start = false, to_end = false;
+  double duration = 0.0;  // s
+};
+
 class SegmentShooting {
  public:
   // `reference`: see SectionMap.
@@ -86,9 +93,14 @@ class SegmentShooting {
   std::vector<Eigenvalue> multipliers(const System& system, const std::vector<Matrix>& factors,
                                       ErrorBounds errors) const;
   // What each product comes to, as far as it hangs on the x_i of one section (and on theta and the
-  // parameters); nothing as above.
-  std::optional<ComplexVector> products(const System& system, const Vector& u, int section,
-                                        const std::vector<SegmentProduct>& products) const;
+  // parameters), and the contacts of the motion from there.
+  struct Products {
+    ComplexVector sums;
+    std::vector<PassedContact> contacts;
+  };
+  // Nothing as above.
+  std::optional<Products> products(const System& system, const Vector& u, int section,
+                                   const std::vector<SegmentProduct>& products) const;
 
   // The segments from section to section; empty where one cannot be followed.
   std::vector<TrajectorySegment> follow(const System& system, const Vector& u,
