@@ -107,7 +107,7 @@ TEST(Journal, CompleteFoldersAreShownAgainWithoutWork) {
 
 // The sentence that a stopped command ends with names the one that goes on, to the same bytes.
 TEST(Journal, OfUnfinishedWorkIsKept) {
-  for (const std::string& work : {kSweep, kMap, kBalls}) {
+  for (const std::string& work : {kSweep, kBalls}) {
     SCOPED_TRACE(work);
     const ScratchFolder scratch;
     const std::string folder = (scratch / "cut").string();

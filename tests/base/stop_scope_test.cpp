@@ -1,10 +1,11 @@
-// Long computations end once they are asked to, and say that less is known; short ones are
-// finished.
+// Computations end once their time is over, and say that less is known.
 #include "graze/base/detail/stop_scope.hpp"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
+#include <thread>
 #include <vector>
 
 #include "graze/base/interval/detail/isolated_zeros.hpp"
@@ -16,6 +17,8 @@ namespace {
 
 const std::atomic<bool> kAsked{true};
 const StopSignal kGiven{&kAsked, {}};
+constexpr std::chrono::milliseconds kNone{0};
+constexpr std::chrono::hours kLong{1};
 
 // Entries without a pattern, the same on every machine.
 std::vector<Matrix> two_factors(Eigen::Index n) {
@@ -50,10 +53,45 @@ TEST(StopScope, EndsWithItsBlock) {
   EXPECT_FALSE(StopScope::current().requested());
 }
 
-TEST(StopScope, LeavesShortComputationsAsTheyAre) {
+bool is_soon_over() {
+  using Clock = std::chrono::steady_clock;
+  for (const auto latest = Clock::now() + std::chrono::seconds(60); Clock::now() < latest;) {
+    if (StopScope::is_over()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
+}
+
+TEST(StopScope, IsOverAGraceAfterTheSignal) {
+  EXPECT_FALSE(StopScope::is_over());
+  {
+    const StopScope scope(kGiven, kLong);
+    EXPECT_TRUE(StopScope::current().requested());
+    EXPECT_FALSE(StopScope::is_over());
+  }
+  std::atomic<bool> asked{false};
+  {
+    const StopScope scope(StopSignal{&asked, {}});
+    EXPECT_FALSE(StopScope::is_over());
+    asked = true;
+    EXPECT_TRUE(is_soon_over());
+    const StopScope other(StopSignal{});
+    EXPECT_FALSE(StopScope::is_over());
+  }
+  EXPECT_FALSE(StopScope::is_over());
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(5);
+  const StopScope scope(StopSignal{nullptr, deadline});
+  EXPECT_TRUE(is_soon_over());
+  EXPECT_GE(std::chrono::steady_clock::now(), deadline + StopScope::kGrace);
+  std::vector<int> over(4, 0);
+  for_each_index(over.size(), 2, [&](std::size_t i) { over[i] = StopScope::is_over() ? 1 : 0; });
+  EXPECT_EQ(over, std::vector<int>(4, 1));
+}
+
+TEST(StopScope, LeavesComputationsWithinTheGraceAsTheyAre) {
   const std::vector<Matrix> factors = two_factors(8);
   const std::vector<Eigenvalue> whole = product_eigenvalues(factors);
-  const StopScope scope(kGiven);
+  const StopScope scope(kGiven, kLong);
   const std::vector<Eigenvalue> asked = product_eigenvalues(factors);
   ASSERT_EQ(asked.size(), whole.size());
   for (std::size_t i = 0; i < whole.size(); ++i) {
@@ -64,7 +102,7 @@ TEST(StopScope, LeavesShortComputationsAsTheyAre) {
 
 TEST(StopScope, EndsEigenvaluesOfManyModes) {
   const std::vector<Matrix> factors = two_factors(200);
-  const StopScope scope(kGiven);
+  const StopScope scope(kGiven, kNone);
   EXPECT_TRUE(product_eigenvalues(factors).empty());
 }
 
@@ -76,7 +114,7 @@ TEST(StopScope, LeavesBoundsOnZerosOpen) {
     return std::optional<MeanValueForm>();
   };
   constexpr long long kMostCells = 1 << 20;
-  const StopScope scope(kGiven);
+  const StopScope scope(kGiven, kNone);
   const IsolatedZeros found = isolated_zeros(undecidable, 0.0, 1.0, kMostCells);
   EXPECT_TRUE(found.zeros.empty());
   EXPECT_GT(found.undecided, 0);

@@ -4,10 +4,13 @@
 //
 // Case after case for so many seconds, each drawn from SEED and its number: a scene of DATA/scenes,
 // damaged as a rule, a command with options of its --help, and folders of earlier runs, damaged
-// too. With CASE that one alone, whose folder is kept as those of failed ones. Held of every run:
+// too; now and then an extreme scene (extreme_scenes.hpp) whose time is bounded. With CASE that one
+// alone, whose folder is kept as those of failed ones. Held of every run:
 //   - no signal ends it, and no sanitizer reports anything;
 //   - its exit code is one of the contract's, and 130 only where it was sent SIGTERM;
-//   - sent SIGTERM it ends: within 1 s where nothing else runs, 10 s are allowed;
+//   - sent SIGTERM it ends: within 1 s where nothing else runs, 10 s are allowed; on extreme
+//   scenes,
+//     and there after its --max-seconds too, within 1 s of processor time on one thread;
 //   - exit code 2 leaves stdout empty; with --json there is one document on it or nothing;
 //   - stderr holds no control characters.
 // Failed cases are kept as FOLDER/failed_CASE, with the command as command.txt; exit 1 if there
@@ -24,6 +27,7 @@
 
 #include "fuzz/command_lines.hpp"
 #include "fuzz/damage.hpp"
+#include "fuzz/extreme_scenes.hpp"
 #include "fuzz/materials.hpp"
 #include "fuzz/watched_run.hpp"
 
@@ -65,6 +69,19 @@ std::string fault_of(const WatchedRun& run, const std::vector<std::string>& word
   return "";
 }
 
+// Of a command on an extreme scene: SIGTERM and --max-seconds are obeyed at once. Processor time,
+// for machines are busy.
+std::string lateness_of(const WatchedRun& run, double max_seconds) {
+  const bool overslept = run.asked && max_seconds < kLate;
+  const double late = run.busy - (run.asked ? 0.0 : max_seconds);
+  if (overslept) return "--max-seconds passed without an end";
+  if (late <= kLate) return "";
+  char text[80];
+  std::snprintf(text, sizeof text, "%.2f s of work %s", late,
+                run.asked ? "after SIGTERM" : "after --max-seconds");
+  return text;
+}
+
 struct ProgressCounter {
   std::mutex mutex;
   long cases = 0, failed = 0, asked = 0;
@@ -90,6 +107,7 @@ class Fuzz {
     const fs::path folder = folder_ / ("case_" + std::to_string(number));
     fs::remove_all(folder);
     fs::create_directories(folder);
+    if (draw.once_in(4)) return run_extreme(number, folder, draw);
     const Materials materials = damaged_copy(materials_, folder, draw);
     const std::string scene = (folder / "scene.toml").string();
     const std::string text = text_of(draw.of(materials.scenes));
@@ -101,6 +119,24 @@ class Fuzz {
     if (draw.once_in(10)) limits.patience *= 8;  // what comes later is to be left as well
     const WatchedRun run = watched_run(words, folder.string(), limits);
     note(number, run, fault_of(run, words), words, folder);
+  }
+
+  void run_extreme(long number, const fs::path& folder, Draw& draw) {
+    const std::string scene = (folder / "scene.toml").string();
+    std::ofstream(scene, std::ios::binary) << extreme_scene(draw);
+    std::vector<std::string> words = extreme_command(scene, draw);
+    words.insert(words.begin(), program_);
+    words.insert(words.end(), {"--threads", "1"});
+    RunLimits limits = limits_;
+    const double max_seconds = draw.once_in(2) ? 0.2 : 3600.0;
+    if (max_seconds < 1.0) {
+      words.insert(words.end(), {"--max-seconds", "0.2"});
+      limits.patience = std::chrono::seconds(10);
+    }
+    const WatchedRun run = watched_run(words, folder.string(), limits);
+    std::string fault = fault_of(run, words);
+    if (fault.empty() && limits_.memory) fault = lateness_of(run, max_seconds);
+    note(number, run, fault, words, folder);
   }
 
   void keep_all() { keeps_all_ = true; }

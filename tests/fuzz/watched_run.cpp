@@ -3,7 +3,9 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -60,9 +62,21 @@ bool catches_termination(pid_t child) {
   return false;
 }
 
-// Whether the child ended by then.
-bool ends_by(pid_t child, Clock::time_point latest, int& status) {
-  while (::waitpid(child, &status, WNOHANG) != child) {
+// s of processor time of a child that runs.
+double busy_time(pid_t child) {
+  clockid_t clock{};
+  timespec time{};
+  if (::clock_getcpuclockid(child, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return 0.0;
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+// Whether the child ended by then; `usage` is then what it used.
+bool ends_by(pid_t child, Clock::time_point latest, int& status, rusage& usage) {
+  while (::wait4(child, &status, WNOHANG, &usage) != child) {
     if (Clock::now() >= latest) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
@@ -76,23 +90,27 @@ WatchedRun watched_run(const std::vector<std::string>& arguments, const std::str
   const std::string out = folder + "/stdout", err = folder + "/stderr";
   WatchedRun run;
   int status = 0;
+  rusage usage{};
   const pid_t child = start(arguments, folder, out, err, limits.memory);
   // On a machine that is busy it may not have begun by then.
   const Clock::time_point begun = Clock::now(), latest = begun + limits.patience + limits.bound;
-  bool ended = ends_by(child, begun + limits.patience, status);
+  bool ended = ends_by(child, begun + limits.patience, status, usage);
   while (!ended && !catches_termination(child) && Clock::now() < latest)
-    ended = ends_by(child, Clock::now() + std::chrono::milliseconds(10), status);
+    ended = ends_by(child, Clock::now() + std::chrono::milliseconds(10), status, usage);
+  double before = 0.0;
   if (!ended) {
     run.asked = true;
+    before = busy_time(child);
     const Clock::time_point asked = Clock::now();
     ::kill(child, SIGTERM);
-    if (!ends_by(child, asked + limits.bound, status)) {
+    if (!ends_by(child, asked + limits.bound, status, usage)) {
       run.killed = true;
       ::kill(child, SIGKILL);
-      ::waitpid(child, &status, 0);
+      ::wait4(child, &status, 0, &usage);
     }
     run.ending = std::chrono::duration<double>(Clock::now() - asked).count();
   }
+  run.busy = seconds(usage.ru_utime) + seconds(usage.ru_stime) - before;
   if (WIFSIGNALED(status)) run.signal = WTERMSIG(status);
   if (WIFEXITED(status)) run.code = WEXITSTATUS(status);
   run.out = beginning_of(out);

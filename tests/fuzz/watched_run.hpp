@@ -13,6 +13,7 @@ struct WatchedRun {
   bool asked = false;    // SIGTERM was sent
   bool killed = false;   // it did not end within the bound
   double ending = 0.0;   // seconds from SIGTERM to the end
+  double busy = 0.0;     // seconds of processor time, from SIGTERM where that was sent
   std::string out, err;  // the first megabyte of each
 };
 

@@ -68,7 +68,7 @@ void for_each_index(std::size_t count, int threads, const std::function<void(std
     return;
   }
   // More threads than cores gain nothing, and TBB complains of them on the terminal.
-  const StopSignal stop = StopScope::current();
+  const StopScope::Handle stop = StopScope::handle();
   LentArena arena(thread_count(threads));
   (*arena).execute([&] {
     tbb::parallel_for(

@@ -16,18 +16,12 @@ bool rises(const ArcCurve<double>& curve, double s) {
   return std::abs(rate.value) > rate.noise ? rate.value > 0.0 : rate.slope > 0.0;
 }
 
-// Of one evaluation, in the units of ScopedPoll.
-long long work_of(const ArcCurve<double>& curve) {
-  return 16 + static_cast<long long>(curve.terms());
-}
-
 // Until when, from s on, the gap is sure to stay above a level: steps as those of first_zero.hpp,
 // while they are as long as one that would pass an extremum.
-double stays_above(const ArcCurve<double>& curve, double level, double s, int& evaluations,
-                   ScopedPoll& poll) {
+double stays_above(const ArcCurve<double>& curve, double level, double s, int& evaluations) {
   double longest = 0.0;
   while (s <= curve.window() && evaluations < kMostSearchEvaluations) {
-    if (poll.requested_after(work_of(curve))) break;
+    if (StopScope::is_over()) break;
     const CurvePoint<double> point = curve.at(s, 0, Reach::kStep);
     ++evaluations;
     const double clear = point.value - point.noise - level;
@@ -56,7 +50,7 @@ Extremum next_extremum(const ArcCurve<double>& curve, double s, bool rising, dou
     if (!rising) point.turn_round();
     return point;
   };
-  const Descent<double> near = approach_descent(sample, s, curve.window());
+  const Descent<double> near = approach_descent(sample, s, curve.window(), StopScope::current());
   Extremum found{near.zero, false, 0.0};
   if (near.zero.kind != ZeroKind::kCrossing) return found;
   // The rate only falls until here, and passes zero on the way.
@@ -103,10 +97,9 @@ std::optional<double> visit_minima(const ArcCurve<double>& curve, int multiplici
   double s = start->s;
   bool rising = start->rising;
   int evaluations = 0;
-  ScopedPoll poll;
   while (evaluations < kMostSearchEvaluations) {
     if (std::isfinite(below)) {
-      const double clear = stays_above(curve, below, s, evaluations, poll);
+      const double clear = stays_above(curve, below, s, evaluations);
       if (!(clear <= curve.window())) return {};
       if (clear > s) rising = rises(curve, clear);
       s = clear;
@@ -114,7 +107,7 @@ std::optional<double> visit_minima(const ArcCurve<double>& curve, int multiplici
     const Extremum extremum = next_extremum(curve, s, rising, below);
     const FirstZero<double>& place = extremum.place;
     evaluations += place.evaluations;
-    if (poll.requested_after(place.evaluations * work_of(curve))) break;
+    if (StopScope::is_over()) break;
     if (place.kind == ZeroKind::kCrossing) {
       if (!rising && extremum.exact) {
         const double gap = curve.at(place.s, 0).value;

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "graze/base/detail/stop_scope.hpp"
 #include "graze/flow/exact/extended.hpp"
 #include "graze/system/scale.hpp"
 
@@ -75,6 +76,13 @@ WalkStep MotionWalk<Real>::depart(const Instant<Real>& end) {
 
 template <class Real>
 WalkStep MotionWalk<Real>::fly() {
+  // Whoever is asked for a motion on the way to something else may have no signal to hand on.
+  const StopSignal& stop = StopScope::current();
+  if (stop.interrupted || stop.deadline) motion_.stop_on(stop);
+  if (StopScope::is_over()) {
+    arrival_ = {ArrivalKind::kUndecided};
+    return WalkStep::kFailure;
+  }
   arrival_ = motion_.fly(until_, horizon_);
   if (arrival_.kind != ArrivalKind::kTime) cut_ = false;
   due_ = Due::kWhatLiesAtItsEnd;

@@ -192,18 +192,17 @@ class Run {
     return true;
   }
 
-  // `asked`: whether the clock has been read already.
-  bool within_budget(bool asked = false) {
+  bool within_budget(bool reads_clock = false) {
     if (state_.totals.impacts >= options_.max_impacts)
       return spent(RunOutcome::kEventBudget, fmt::format("{} impacts", options_.max_impacts));
-    return goes_on(asked);
+    return goes_on(reads_clock);
   }
 
-  bool goes_on(bool asked = false) {
+  bool goes_on(bool reads_clock = false) {
     if (options_.stop.is_interrupted())
       return stop_run(RunOutcome::kInterrupted, "stopped at " + moment_text(time(), system_.units));
     // An arc whose work is integrated may be long.
-    if ((poll_.is_due(std::exchange(work_, 0)) || options_.energy || asked) &&
+    if ((poll_.is_due(std::exchange(work_, 0)) || options_.energy || reads_clock) &&
         options_.stop.is_late())
       return spent(RunOutcome::kTimeBudget, "computing time");
     return true;
@@ -218,6 +217,7 @@ class Run {
 
   bool fail() {
     const ArrivalKind kind = walk_.arrival().kind;
+    if (kind == ArrivalKind::kUndecided && !within_budget(true)) return false;
     if (kind == ArrivalKind::kRefused) note_gaps();
     return stop_run(kind == ArrivalKind::kUndecided   ? RunOutcome::kEventBudget
                     : kind == ArrivalKind::kNotFinite ? RunOutcome::kNotFinite

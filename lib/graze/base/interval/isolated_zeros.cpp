@@ -10,9 +10,6 @@
 namespace graze {
 namespace {
 
-// Some 10 us with one mode, in the units of ScopedPoll.
-constexpr long long kWorkOfEvaluation = 1 << 11;
-
 struct ZeroCell {
   double low = 0.0, high = 0.0;
   int sign = 0;       // that the function has all over it; 0 where only the signs at its ends say
@@ -53,7 +50,7 @@ class Isolation {
  private:
   // Once it was asked to stop all that is open is left so.
   bool goes_on() {
-    stopped_ = stopped_ || poll_.requested_after(kWorkOfEvaluation);
+    stopped_ = stopped_ || StopScope::is_over();
     return !stopped_;
   }
 
@@ -126,7 +123,6 @@ class Isolation {
   const BoundedFunction& f_;
   std::vector<ZeroCell> cells_;
   IsolatedZeros found_;
-  ScopedPoll poll_;
   bool stopped_ = false;
 };
 

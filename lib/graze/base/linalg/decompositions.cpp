@@ -141,10 +141,9 @@ std::vector<Eigenvalue> eigenvalues(const Matrix& matrix, ErrorBounds errors, do
     const double roundings = size + uncertainty;
     const double unit = std::numeric_limits<double>::epsilon() * roundings * norm;
     const double elsner = std::pow(norm + unit, 1.0 - 1.0 / size) * std::pow(unit, 1.0 / size);
-    ScopedPoll poll;
     bool told = true, stopped = false;  // told from zero, each by itself
     for (Index j = 0; j < n; ++j) {
-      stopped = stopped || poll.requested_after(n * n);
+      stopped = stopped || StopScope::is_over();
       Eigenvalue& value = list[static_cast<std::size_t>(j)];
       value.error = stopped ? elsner : unit * condition_of(t, j, x);
       told = told && (stopped || value.error <= std::abs(value.value));
@@ -157,9 +156,10 @@ std::vector<Eigenvalue> eigenvalues(const Matrix& matrix, ErrorBounds errors, do
 }
 
 ComplexModes complex_modes(const Matrix& matrix) {
-  const Eigen::EigenSolver<Matrix> solver(matrix, true);
   ComplexModes modes;
   modes.condition = std::numeric_limits<double>::infinity();
+  if (StopScope::is_over()) return modes;
+  const Eigen::EigenSolver<Matrix> solver(matrix, true);
   if (solver.info() != Eigen::Success) return modes;
   modes.values = solver.eigenvalues();
   modes.vectors = solver.eigenvectors();

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "graze/base/detail/stop_scope.hpp"
 #include "graze/base/linalg/detail/linear_equations.hpp"
 
 namespace graze {
@@ -44,14 +45,15 @@ class Decoupling {
  public:
   explicit Decoupling(const Matrix& schur) : schur_(schur), cells_(cells_of(schur)) {}
 
-  // Each failure joins two clusters, so it ends.
-  void run(double largest) {
+  // Each failure joins two clusters, so it ends. False where its time is over before.
+  bool run(double largest) {
     while (const auto pair = inseparable(largest)) {
       const std::size_t from = std::max(pair->first, pair->second);
       const std::size_t to = std::min(pair->first, pair->second);
       for (ResolventCell& cell : cells_)
         if (cell.cluster == from) cell.cluster = to;
     }
+    return !StopScope::is_over();
   }
 
   const Matrix& transformation() const { return y_; }
@@ -76,7 +78,7 @@ class Decoupling {
     const Eigen::Index n = schur_.rows();
     y_ = Matrix::Identity(n, n);
     d_ = Matrix::Zero(n, n);
-    for (std::size_t j = 0; j < cells_.size(); ++j) {
+    for (std::size_t j = 0; j < cells_.size() && !StopScope::is_over(); ++j) {
       const ResolventCell& column = cells_[j];
       d_.block(column.first, column.first, column.size, column.size) = part(schur_, column, column);
       for (std::size_t i = j; i-- > 0;) {
@@ -108,11 +110,12 @@ class Decoupling {
 
 std::vector<InvariantBlock> invariant_blocks(const Matrix& matrix, double largest) {
   const Eigen::Index n = matrix.rows();
+  const std::vector<InvariantBlock> whole{{matrix, Matrix::Identity(n, n), Matrix::Identity(n, n)}};
+  if (StopScope::is_over()) return whole;
   const Eigen::RealSchur<Matrix> schur(matrix);
-  if (schur.info() != Eigen::Success)
-    return {{matrix, Matrix::Identity(n, n), Matrix::Identity(n, n)}};
+  if (schur.info() != Eigen::Success) return whole;
   Decoupling decoupling(schur.matrixT());
-  decoupling.run(largest);
+  if (!decoupling.run(largest)) return whole;
   const Matrix basis = schur.matrixU() * decoupling.transformation();
   const Matrix coordinates = decoupling.transformation().triangularView<Eigen::UnitUpper>().solve(
       Matrix(schur.matrixU().transpose()));

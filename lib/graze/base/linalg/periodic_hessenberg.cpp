@@ -144,9 +144,8 @@ bool PeriodicHessenberg::split_off(std::size_t factor) {
 
 bool PeriodicHessenberg::to_hessenberg() {
   const Index w = active_;
-  const Index reflections = 4 * static_cast<Index>(factors_.size()) * n_ * w;
   for (Index j = 0; j + 1 < w; ++j) {
-    if (poll_.requested_after(reflections)) return false;
+    if (StopScope::is_over()) return false;
     for (std::size_t i = 1; i < factors_.size(); ++i) reflect(i, j, w - j, j, w);
     if (j + 2 < w) reflect(0, j + 1, w - j - 1, j, w);
   }
@@ -182,7 +181,7 @@ bool PeriodicHessenberg::iterate() {
       continue;
     }
     const Index bulges = (last - first) * static_cast<Index>(factors_.size());
-    if (++steps > kMaxSteps || poll_.requested_after(8 * bulges * n_)) return false;
+    if (++steps > kMaxSteps || StopScope::is_over()) return false;
     // Now and then a step from anywhere, in case the shifts go round in circles. Towards a
     // triple defective eigenvalue they gain two bits each, and want no interruption.
     step(first, last,

@@ -68,7 +68,6 @@ Scaled<double> elsner_bound(const Factors& factors, double roundings, long expon
   // Norms of the products of the first i and the last k - i factors.
   const auto norms = [&](bool forwards) {
     std::vector<Scaled<double>> list{{1.0, 0}};
-    ScopedPoll poll;
     Eigen::MatrixXcd product = Eigen::MatrixXcd::Identity(n, n);
     for (std::size_t i = 0; i < k; ++i) {
       product = forwards ? (factors[i] * product).eval() : (product * factors[k - 1 - i]).eval();
@@ -77,7 +76,7 @@ Scaled<double> elsner_bound(const Factors& factors, double roundings, long expon
       norm.times(size);
       list.push_back(norm);
       if (size > 0.0) product /= size;
-      if (poll.requested_after(4 * n * n * n)) list.back().mantissa = kInfinity;
+      if (StopScope::is_over()) list.back().mantissa = kInfinity;
     }
     return list;
   };

@@ -157,9 +157,8 @@ VectorNorms vector_norms(const TriangularFactors& factors) {
   const TriangularFactors mirror = mirrored(factors);
   VectorNorms norms{Matrix::Constant(k, n, kInfinity), Matrix::Constant(k, n, kInfinity)};
   Eigen::MatrixXcd vectors;
-  ScopedPoll poll;
   for (Index j = 0; j < n; ++j) {
-    if (poll.requested_after(2 * k * j * j)) break;
+    if (StopScope::is_over()) break;
     if (right_vectors(factors, j, vectors))
       for (Index i = 0; i < k; ++i) norms.right(i, j) = vectors.col(i).stableNorm();
     if (left_vectors(mirror, j, vectors))

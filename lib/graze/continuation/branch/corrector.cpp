@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "graze/base/detail/stop_scope.hpp"
 #include "graze/base/linalg/decompositions.hpp"
 
 namespace graze {
@@ -43,6 +44,7 @@ SolutionPoint Corrector::unpack(const Vector& x, const Vector& tangent, double r
 }
 
 std::optional<Corrector::Linearised> Corrector::linearise(const Vector& x, const Vector& normal) {
+  if (StopScope::is_over()) return {};
   const Eigen::Index n = x.size() - 1;
   ++evaluations_;
   const double parameter = x[n] * range_;

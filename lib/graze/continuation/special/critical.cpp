@@ -161,7 +161,7 @@ class CriticalSearch {
     if (!last_) last_ = std::chrono::steady_clock::now() + kGrace;
     branch_.critical.resize(known);
     const StopSignal grace{nullptr, last_};
-    const StopScope scope(grace);
+    const StopScope scope(grace, std::chrono::milliseconds{0});
     CircleCrossings crossings(problem_, corrector_, grace, i, branch_.critical);
     crossings.add_undivided(branch_.points[i], branch_.points[i + 1]);
   }

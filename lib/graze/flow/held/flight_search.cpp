@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "graze/base/detail/stop_scope.hpp"
 #include "graze/flow/exact/detail/first_zero.hpp"
 
 namespace graze {
@@ -105,7 +106,7 @@ Arrival<double> FlightSearch::first_event(const GapCurves& curves, const Arc<dou
       step(curves, arc, from, flight, arrival);
       if (arrival.stop >= 0 || from >= arrival.flight) return arrival;
     }
-    if (steps % kEvaluationsPerLook == 0 && flight.stop.requested())
+    if (StopScope::is_over() || (steps % kEvaluationsPerLook == 0 && flight.stop.requested()))
       return {ArrivalKind::kUndecided, watched_.front().stop, from, 0.0, arrival.evaluations};
     arc.state(from, q_, qdot_);
   }

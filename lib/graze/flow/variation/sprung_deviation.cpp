@@ -214,12 +214,9 @@ Varied::State integrate(Varied& varied, Varied::State whole, double s) {
   step_walk::Extrapolation method =
       step_walk::extrapolation(kDeviationTolerance, Sprung::relative(kDeviationTolerance));
   double at = 0.0, next = varied.first_step(s);
-  ScopedPoll poll;
-  // Of a step: some fifty evaluations, each as large as the state times the modes.
-  const long long work = 50 * static_cast<long long>(whole.size()) * varied.scale().size();
   for (int failures = 0; at < s && failures < step_walk::kMostFailures;) {
     next = std::min(next, s - at);
-    if (poll.requested_after(work)) break;
+    if (StopScope::is_over()) break;
     failures =
         method.try_step(std::ref(varied), whole, at, next) == odeint::success ? 0 : failures + 1;
   }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "graze/base/detail/stop_scope.hpp"
 #include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/contact/detail/complementarity.hpp"
 #include "graze/motion/detail/motion.hpp"
@@ -176,7 +177,7 @@ bool Motion<Real>::comes_to_rest(Touched touched) const {
   using std::abs;
   const Eigen::Index k = touched.speed.size();
   std::vector<bool> hit(static_cast<std::size_t>(k), false);
-  for (int i = 0; i < impact_detail::kMostRepetitions; ++i) {
+  for (int i = 0; i < impact_detail::kMostRepetitions && !StopScope::is_over(); ++i) {
     const Jump jump = jump_of(touched);
     touched.speed -= touched.acting * jump.impulse;
     touched.rounding += rounding_of_action(touched.acting, jump.impulse);

@@ -1,12 +1,15 @@
 #include "graze/orbit/problem/detail/solve.hpp"
 
 #include <ceres/cost_function.h>
+#include <ceres/iteration_callback.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 #include <glog/logging.h>
 
 #include <mutex>
 #include <utility>
+
+#include "graze/base/detail/stop_scope.hpp"
 
 namespace graze {
 namespace {
@@ -45,6 +48,14 @@ class ShootingCost : public ceres::CostFunction {
   const System& system_;
 };
 
+// Lets Ceres end once the time is over.
+class EndWithScope : public ceres::IterationCallback {
+ public:
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
+    return StopScope::is_over() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+  }
+};
+
 // Ceres writes its complaints through glog, to stderr unless told otherwise.
 void quiet_glog() {
   static std::once_flag once;
@@ -62,10 +73,11 @@ std::optional<ShootingSolution> newton(const ShootingProblem& problem, const Sys
     Vector residual;
     Matrix jacobian;
   };
-  auto solution = polish(start, [&](const Vector& x) {
+  auto solution = polish(start, [&](const Vector& x) -> std::optional<Equations> {
+    if (StopScope::is_over()) return {};
     Equations at;
     at.residual = problem.residual(system, x, &at.jacobian);
-    return std::optional(std::move(at));
+    return at;
   });
   if (!solution) return {};
   return ShootingSolution{std::move(solution->u), solution->residual, solution->evaluations};
@@ -88,6 +100,8 @@ std::optional<ShootingSolution> seek(const ShootingProblem& problem, const Syste
   options.function_tolerance = 0.0;
   options.parameter_tolerance = 0.0;
   options.gradient_tolerance = 1e-13;
+  EndWithScope end;
+  options.callbacks.push_back(&end);
   ceres::Solver::Summary summary;
   ceres::Solve(options, &least_squares, &summary);
   std::optional<ShootingSolution> solution = newton(problem, system, x);

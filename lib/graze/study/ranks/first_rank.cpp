@@ -55,7 +55,7 @@ bool FirstRank::do_blocks(const BlockWork& work, int threads, const StopSignal& 
   if (messages_.ranks() == 1) return own_threads().do_blocks(work, threads, stop);
   threads_ = thread_count(threads);
   start_phase(work, stop);
-  const StopSignal scope = StopScope::current();
+  const StopScope::Handle scope = StopScope::handle();
   {
     const Listener listener(
         messages_,

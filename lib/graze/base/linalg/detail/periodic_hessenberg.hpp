@@ -41,7 +41,6 @@ class PeriodicHessenberg {
   Index n_ = 0;
   Index active_ = 0;  // leading rows whose product is not known to be singular
   std::vector<Index> blocks_;
-  ScopedPoll poll_;
   Vector reflector_, projection_;  // workspace
 };
 

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 
+#include "graze/base/detail/stop_scope.hpp"
 #include "graze/base/stop_signal.hpp"
 #include "graze/flow/exact/detail/arc_curve.hpp"
 
@@ -187,7 +188,7 @@ Descent<Real> approach_descent(const Sample& sample, const Real& from, const Rea
       s = window;
       return ended(ZeroKind::kNone, Real(0), i);
     }
-    if (i % kEvaluationsPerLook == 0 && stop.requested())
+    if (StopScope::is_over() || (i % kEvaluationsPerLook == 0 && stop.requested()))
       return ended(ZeroKind::kBudget, Real(0), i);
     point = sample(s);
     if (!isfinite(point.value) || !isfinite(point.slope) || !isfinite(point.bound))

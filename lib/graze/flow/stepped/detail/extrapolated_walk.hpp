@@ -10,6 +10,7 @@
 #include <limits>
 #include <utility>
 
+#include "graze/base/detail/stop_scope.hpp"
 #include "graze/flow/stepped/detail/extrapolation.hpp"
 #include "graze/flow/stepped/detail/step_walk.hpp"
 
@@ -61,7 +62,7 @@ class ExtrapolatedWalk {
     x = *nearest;
     method_within_.reset();
     double next = s - at;
-    for (int i = 0; i < kMostFailures && at < s; ++i) {
+    for (int i = 0; i < kMostFailures && at < s && !StopScope::is_over(); ++i) {
       next = std::min(next, s - at);
       within_ = x;
       if (method_within_.try_step(std::ref(rates), within_, at, x, next) != odeint::success)

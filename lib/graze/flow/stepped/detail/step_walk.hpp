@@ -14,6 +14,7 @@
 
 #include "graze/base/angle.hpp"
 #include "graze/base/detail/bracketed_zero.hpp"
+#include "graze/base/detail/stop_scope.hpp"
 #include "graze/flow/stepped/detail/sprung_rates_turning_impl.hpp"
 #include "graze/flow/stepped/detail/step_methods.hpp"
 #include "graze/flow/stepped/detail/step_rates.hpp"
@@ -62,7 +63,7 @@ class WalkingFlow final : public StepFlow {
     [[maybe_unused]] long long steps = 0;
     for (double from = 0.0; from < std::min(window, until) && found.watch < 0;) {
       walk_.step();
-      if (++polls_ % kStepsPerPoll == 0 && stop.requested()) {
+      if (StopScope::is_over() || (++polls_ % kStepsPerPoll == 0 && stop.requested())) {
         found.stopped = true;
         return found;
       }
@@ -94,7 +95,7 @@ class WalkingFlow final : public StepFlow {
 
   void each_step(double until, const std::function<void(double, double)>& visit) override {
     walk_.begin(start_);
-    for (double from = 0.0; from < until;) {
+    for (double from = 0.0; from < until && !StopScope::is_over();) {
       walk_.step();
       const double to = std::min(walk_.to(), until);
       if (!(to > from)) return;
@@ -180,7 +181,7 @@ class WalkingFlow final : public StepFlow {
   // The state at s, in within_.
   void reach(double s) {
     if (s < walk_.from()) walk_.begin(start_);
-    while (walk_.to() < s) {
+    while (walk_.to() < s && !StopScope::is_over()) {
       const double before = walk_.to();
       walk_.step();
       if (!(walk_.to() > before)) break;
