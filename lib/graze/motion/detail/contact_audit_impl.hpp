@@ -45,7 +45,9 @@ void Motion<Real>::audit_gaps(const Real& flight) {
   for (const int i : looked_at_) {
     const Contact now = contact(i);
     const bool is_beyond = now == Contact::kCompressed || now == Contact::kParted;
-    if (stop(i).is_compliant() ? is_beyond : is_held(i)) continue;
+    // A spring that rests is pressed where its surface is passed.
+    const bool is_resting = now == Contact::kLocked && multiplicity(i) > 0;
+    if (stop(i).is_compliant() ? is_beyond || is_resting : is_held(i)) continue;
     const Real gap = this->gap(i);
     if (!(gap < 0)) continue;
     const Real before = stop(i).gap - stop(i).row.dot(departure_.q);

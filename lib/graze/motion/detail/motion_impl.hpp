@@ -71,9 +71,9 @@ void Motion<Real>::go_on_from(const MotionState<Real>& state) {
   changes_.clear();
   phase_ = nullptr;
   arrivals_at_once_ = 0;
+  sure_.clear();
   eventful_ = false;
   broken_.reset();
-  sure_.clear();
   refusal_.clear();
 }
 
@@ -388,8 +388,7 @@ void Motion<Real>::settle_on(int i, const Real& flight) {
     for (Eigen::Index j = 0; j < now_.q.size(); ++j) now_.q[j] += offset * (share(j) / whole);
   else
     now_.q += (offset / s.row.squaredNorm()) * s.row;
-  // What is left of the offset is rounding of what it was: more than that of what it is now where
-  // the gap is zero, and so is the displacement. One mode takes it.
+  // What is left is rounding of what it was: where the gap is zero, more than that of what it is.
   const GapValue<Real> left = gap_value(s.row, now_.q, s.gap);
   if (!(abs(left.value) > left.rounding)) return;
   Eigen::Index most = 0;

@@ -91,7 +91,7 @@ void Motion<Real>::judge_again(Jumped what) {
   for (const int i : compliant_) {
     const Contact before = contact(i);
     const bool rests =
-        before == Contact::kLocked ||
+        (before == Contact::kLocked && (multiplicity(i) == 0 || what == Jumped::kVelocities)) ||
         (before == Contact::kDeparting && now_.multiplicities[static_cast<std::size_t>(i)] > 1);
     if (rests || (before == Contact::kDeparting && what == Jumped::kVelocities))
       set(i, Contact::kTouching);
