@@ -14,7 +14,7 @@ using nlohmann::json;
 
 const std::string kPaper = scene("01_wagg_2004.toml");
 const std::string kGalerkin = "--against beam.discretisation=galerkin ";
-const std::string kPlane =
+const std::string kComparedPlane =
     "compare --quiet --against stop.restitution=0.7 --parameter forcing.frequency --from 30 --to "
     "90 "
     "--points 7 --second stop.gap --second-from 0.5e-3 --second-to 2e-3 --second-points 4 " +
@@ -89,8 +89,8 @@ TEST(CompareCommand, ComparesNumbersOfModesOfEveryStructure) {
 TEST(CompareCommand, DrawsEveryDifferenceOverAPlane) {
   const ScratchFolder out;
   for (const std::string what : {"attractor", "agreeing", "first_speed", "velocity", "energy"}) {
-    const Finished run = run_graze(kPlane + " --show " + what + " --out " + (out / "run").string() +
-                                   " --plot " + (out / "m.svg").string());
+    const Finished run = run_graze(kComparedPlane + " --show " + what + " --out " +
+                                   (out / "run").string() + " --plot " + (out / "m.svg").string());
     ASSERT_EQ(run.code, 0) << run.err;
     const std::string title = what == "attractor"     ? "both (1,1)"
                               : what == "agreeing"    ? "first impacts that agree"
@@ -108,16 +108,16 @@ TEST(CompareCommand, DrawsEveryDifferenceOverAPlane) {
 
 TEST(CompareCommand, IsSharedOutAndGoesOn) {
   const ScratchFolder out;
-  ASSERT_EQ(run_graze(kPlane + " --out " + (out / "whole").string()).code, 0);
+  ASSERT_EQ(run_graze(kComparedPlane + " --out " + (out / "whole").string()).code, 0);
   std::string folders;
   for (const char* share : {"1/2", "2/2"}) {
     const std::string folder = (out / ("part" + std::string(1, share[0]))).string();
-    EXPECT_EQ(run_graze(kPlane + " --shard " + share + " --out " + folder).code, 0);
+    EXPECT_EQ(run_graze(kComparedPlane + " --shard " + share + " --out " + folder).code, 0);
     folders += folder + " ";
   }
   const Finished merged = run_graze("merge " + folders + "--out " + (out / "joined").string());
   ASSERT_EQ(merged.code, 0) << merged.err;
-  EXPECT_EQ(run_graze(kPlane + " --resume --out " + (out / "part1").string()).code, 0);
+  EXPECT_EQ(run_graze(kComparedPlane + " --resume --out " + (out / "part1").string()).code, 0);
   for (const char* folder : {"joined", "part1"})
     for (const char* file : {"result.json", "comparison.csv"})
       EXPECT_EQ(read_text(out / folder / file), read_text(out / "whole" / file)) << folder << file;

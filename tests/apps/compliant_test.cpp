@@ -150,12 +150,12 @@ TEST_F(Compliant, TheEnergyBalanceCloses) {
   EXPECT_EQ(document["events"][1]["energy_change"], document["energy"]["contact"]);
 }
 
-const std::string kOscillator = scene("12_spring_dashpot_oscillator.toml");
+const std::string kDashpotOscillator = scene("12_spring_dashpot_oscillator.toml");
 
 TEST(CompliantOrbits, ComeWithTheirContacts) {
   ScratchFolder scratch;
   const Finished run = run_graze("orbit --json --out " + (scratch / "run").string() +
-                                 " --set forcing.frequency=2.4 " + kOscillator);
+                                 " --set forcing.frequency=2.4 " + kDashpotOscillator);
   ASSERT_EQ(run.code, 0) << run.err;
   const json orbits = json::parse(run.out)["orbits"];
   ASSERT_FALSE(orbits.empty());
@@ -172,7 +172,7 @@ TEST(CompliantOrbits, ComeWithTheirContacts) {
   }
   EXPECT_EQ(lines_of((scratch / "run" / "contacts.csv").string())[0],
             "orbit,impact,stop,duration,peak_force,effective_restitution,energy_change");
-  EXPECT_NE(run_graze("orbit --wide --set forcing.frequency=2.4 " + kOscillator)
+  EXPECT_NE(run_graze("orbit --wide --set forcing.frequency=2.4 " + kDashpotOscillator)
                 .out.find("effective restitution"),
             std::string::npos);
 }
@@ -209,7 +209,7 @@ TEST(CompliantOrbits, GoOnFromTheirSpecialPoints) {
   const std::string folder = (scratch / "run").string();
   const std::string range = " --parameter forcing.frequency --from 2.3 --to 2.8 ";
   const Finished first = run_graze("continue --json --out " + folder + range +
-                                   "--set forcing.frequency=2.4 " + kOscillator);
+                                   "--set forcing.frequency=2.4 " + kDashpotOscillator);
   ASSERT_EQ(first.code, 0) << first.err;
   const Finished doubled = run_graze("continue --json " + folder + "/scene.toml --restart " +
                                      folder + " --label PD1 --switch" + range);
@@ -232,7 +232,7 @@ TEST(CompliantOrbits, ShareThePlaneWithOtherMotions) {
   const Finished run = run_graze(
       "continue --json --start closed-form --locus GR --slices 1 --regions 2 --parameter stop.gap "
       "--from 0.2 --to 0.4 --second forcing.frequency --second-from 2.3 --second-to 2.5 " +
-      kOscillator);
+      kDashpotOscillator);
   ASSERT_EQ(run.code, 0) << run.err;
   const json places = json::parse(run.out)["regions"]["places"];
   ASSERT_EQ(places.size(), 4u);
@@ -247,7 +247,7 @@ TEST(CompliantOrbits, GoOnAlongTheLociOfTheirSpecialPoints) {
   const std::string folder = (scratch / "run").string();
   const std::string range = " --parameter stop.gap --from 0.05 --to 0.3 ";
   const Finished first = run_graze("continue --json --start closed-form --out " + folder + range +
-                                   "--set forcing.frequency=2.4 " + kOscillator);
+                                   "--set forcing.frequency=2.4 " + kDashpotOscillator);
   ASSERT_EQ(first.code, 0) << first.err;
   const std::string from = "continue --json " + folder + "/scene.toml --restart " + folder + range +
                            "--second forcing.frequency --second-from 2.3 --second-to 2.5 ";

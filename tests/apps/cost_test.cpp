@@ -13,8 +13,6 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kOneMode = scene("05_wagg_one_mode.toml");
-
 TEST(CostCommand, WritesTheDocument) {
   const ScratchFolder scratch;
   const Finished run = run_graze("cost --json --impacts 5 --out " + (scratch / "run").string() +

@@ -13,8 +13,6 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kOneMode = scene("05_wagg_one_mode.toml");
-const std::string kOscillator = scene("04_impact_oscillator.toml");
 // The oscillator of hard case G2: both clear of the stop and impacting between fold and grazing.
 const std::string kBistable =
     kOscillator + " --set forcing.frequency=1.6 --set stop.gap=0.5 --set 'initial.q=[0.0]'" +

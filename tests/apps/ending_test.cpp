@@ -16,13 +16,12 @@ namespace {
 const std::string kHangs = "10";
 const std::string kUntilItHangs = "timeout -s KILL " + kHangs + " ";
 
-const std::string kOneMode = scene("05_wagg_one_mode.toml");
 // Some 1e10 oscillations of the beam in one forcing period.
 const std::string kSlowForcing = kOneMode + " --set forcing.frequency=1e-8";
 // Some 1e17 of them.
 const std::string kStiffBeam = kOneMode + " --set beam.youngs_modulus=1e40";
 const std::string kGaps = " --parameter stop.gap --from 1e-3 --to 2e-3";
-const std::string kPlane =
+const std::string kEndingPlane =
     kGaps + " --second stop.restitution --second-from 0.5 --second-to 0.9 --points 4" +
     " --second-points 4";
 
@@ -33,7 +32,6 @@ struct Endless {
 
 // Each mode of the held beam is one of a matrix of 400 by 400.
 const std::string kManyModes = scene("02_wagg_momentum.toml") + " --set beam.modes=400";
-const std::string kOscillator = scene("04_impact_oscillator.toml");
 
 const std::vector<Endless> kEndless{
     {"a run of slow forcing", "simulate " + kSlowForcing},
@@ -42,7 +40,7 @@ const std::vector<Endless> kEndless{
     {"a diagram under slow forcing", "diagram " + kSlowForcing + kGaps},
     {"a run of a stiff beam", "simulate " + kStiffBeam},
     {"orbits of a stiff beam", "orbit " + kStiffBeam},
-    {"a map of a stiff beam", "map " + kStiffBeam + kPlane},
+    {"a map of a stiff beam", "map " + kStiffBeam + kEndingPlane},
     {"costs of a stiff beam", "cost " + kStiffBeam},
     {"orbits of 400 modes", "orbit " + kManyModes},
     {"branches of 400 modes", "continue " + kManyModes + kGaps},

@@ -12,9 +12,6 @@ namespace {
 
 using nlohmann::json;
 
-std::string measured(const std::string& name) {
-  return std::string(GRAZE_SOURCE_DIR) + "/data/measurements/" + name;
-}
 std::string pair(const std::string& name) {
   return measured(name + ".toml") + " " + measured(name + ".csv");
 }

@@ -9,8 +9,6 @@
 namespace graze {
 namespace {
 
-const std::string kOneMode = scene("05_wagg_one_mode.toml");
-
 // Nothing but UTF-8 whose characters a terminal shows; line feeds and tabs are allowed.
 bool is_harmless(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -15,10 +15,9 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kScenes = std::string(GRAZE_SOURCE_DIR) + "/data/scenes/";
-const std::string kFirst = kScenes + "17_yigit_lee_wang_1.toml";
-const std::string kMomentum = kScenes + "19_yigit_momentum.toml";
-const std::string kSensitivity = kScenes + "20_yigit_sensitivity.toml";
+const std::string kFirst = scene("17_yigit_lee_wang_1.toml");
+const std::string kYigitMomentum = scene("19_yigit_momentum.toml");
+const std::string kSensitivity = scene("20_yigit_sensitivity.toml");
 
 // No impact for the first 0.1 s: the torque turns hub and beam.
 TEST(HubCommand, FinalHoldsAngleAndRate) {
@@ -54,16 +53,17 @@ TEST(HubCommand, GoesOnWhereItEnded) {
   const ScratchFolder out;
   const std::string folder = (out / "run").string();
   const std::string friction = " --set \"hub.friction={coulomb=0.01}\" ";
-  ASSERT_EQ(run_graze("simulate --duration 0.3485 --out " + folder + friction + kMomentum).code, 0);
+  ASSERT_EQ(
+      run_graze("simulate --duration 0.3485 --out " + folder + friction + kYigitMomentum).code, 0);
   const Finished rest =
-      run_graze("simulate --json --duration 0.7 --resume " + folder + friction + kMomentum);
+      run_graze("simulate --json --duration 0.7 --resume " + folder + friction + kYigitMomentum);
   ASSERT_EQ(rest.code, 0) << rest.err;
-  const Finished whole = run_graze("simulate --json --duration 0.7 " + friction + kMomentum);
+  const Finished whole = run_graze("simulate --json --duration 0.7 " + friction + kYigitMomentum);
   EXPECT_EQ(json::parse(rest.out)["final"], json::parse(whole.out)["final"]);
 }
 
 TEST(HubCommand, AStartBeyondAStopNamesTheAngle) {
-  const Finished turned = run_graze("simulate --set initial.angle=0.5 " + kMomentum);
+  const Finished turned = run_graze("simulate --set initial.angle=0.5 " + kYigitMomentum);
   EXPECT_EQ(turned.code, 2);
   EXPECT_NE(turned.err.find("initial.angle: the motion starts 0.102 m beyond stop 1"),
             std::string::npos)
@@ -185,7 +185,7 @@ TEST(HubCommand, SensitivitiesNeedProbesAndARange) {
   const Finished none = run_graze(
       "compare --sensitivity --duration 0.1 --parameter stop.gap --from "
       "1 --to 2 " +
-      kScenes + "06_bouncing_ball.toml");
+      scene("06_bouncing_ball.toml"));
   EXPECT_EQ(none.code, 2);
   EXPECT_NE(none.err.find("there is no [[probe]]"), std::string::npos) << none.err;
   EXPECT_EQ(run_graze("compare --sensitivity --duration 0.1 " + kSensitivity).code, 2);

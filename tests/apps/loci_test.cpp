@@ -11,7 +11,6 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kOneMode = scene("05_wagg_one_mode.toml");
 const std::string kPlane =
     " --parameter forcing.frequency --from 53.5 --to 54.5 --second stop.gap --second-from 1.2e-3 "
     "--second-to 1.3e-3 --set stop.gap=1.25e-3 --set forcing.frequency=54 --slices 2 ";

@@ -12,9 +12,8 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kOneMode = scene("05_wagg_one_mode.toml");
 // No end within the time of a test, and neither samples nor pictures in the way.
-const std::string kEndless = "simulate --periods 1000000000 ";
+const std::string kEndlessRun = "simulate --periods 1000000000 ";
 
 TEST(LongRun, MemoryDoesNotGrowWithTheRun) {
 #if defined(__SANITIZE_ADDRESS__)
@@ -39,7 +38,7 @@ TEST(LongRun, InterruptKeepsWhatWasFinishedAndExitsWith130) {
   const ScratchFolder scratch;
   for (const char* signal : {"INT", "TERM", "HUP"}) {
     const std::string folder = (scratch / signal).string();
-    const Finished run = run_graze(kEndless + "--json --out " + folder + " " + kOneMode,
+    const Finished run = run_graze(kEndlessRun + "--json --out " + folder + " " + kOneMode,
                                    "timeout --preserve-status -s " + std::string(signal) + " 0.5 ");
     EXPECT_EQ(run.code, 130);
     const json document = json::parse(run.out);
@@ -58,7 +57,7 @@ TEST(LongRun, InterruptKeepsTheSamplesUntilThen) {
   const ScratchFolder scratch;
   const std::string folder = (scratch / "run").string();
   const Finished run = run_graze(
-      kEndless + "--record samples --sample-format npz --out " + folder + " --json " + kOneMode,
+      kEndlessRun + "--record samples --sample-format npz --out " + folder + " --json " + kOneMode,
       "timeout --preserve-status -s INT 0.5 ");
   EXPECT_EQ(run.code, 130) << run.err;
   EXPECT_EQ(names_in(folder),
@@ -127,7 +126,7 @@ TEST(LongRun, AFullDiskLeavesNothingBehind) {
 TEST(LongRun, AFolderThatIsLostExitsWith4) {
   const ScratchFolder scratch;
   const std::string folder = (scratch / "run").string();
-  const Finished run = run_graze(kEndless + "--max-seconds 1.5 --out " + folder + " " + kOneMode,
+  const Finished run = run_graze(kEndlessRun + "--max-seconds 1.5 --out " + folder + " " + kOneMode,
                                  "(sleep 0.5; rm -r " + folder + ") & ");
   EXPECT_EQ(run.code, 4);
   EXPECT_EQ(run.out, "");

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kBasins =
+const std::string kMapBasins =
     "--set forcing.frequency=1.6 --set stop.gap=0.5 --set forcing.amplitude=0.5 "
     "--set 'initial.q=[0.0]' --parameter initial.q.1 --from -2 --to 0.8 --points 15 "
     "--second initial.qdot.1 --second-from -2 --second-to 2 --second-points 11 " +
@@ -26,7 +26,7 @@ const std::string kLargePlane =
 TEST(MapCommand, HasEveryCell) {
   const ScratchFolder out;
   const Finished run = run_graze("map --json --out " + (out / "run").string() + " --plot " +
-                                 (out / "m.svg").string() + " " + kBasins);
+                                 (out / "m.svg").string() + " " + kMapBasins);
   ASSERT_EQ(run.code, 0) << run.err;
   const json document = json::parse(run.out);
   EXPECT_EQ(document["outcome"], "complete");
@@ -51,7 +51,7 @@ TEST(MapCommand, HasEveryCell) {
   EXPECT_NE(picture.find("(1,1)"), std::string::npos);
   EXPECT_EQ(picture.find("<image"), std::string::npos) << "browsers smooth an image's few cells";
   EXPECT_EQ(
-      run_graze("map --json --threads 1 --plot " + (out / "m.svg").string() + " " + kBasins).out,
+      run_graze("map --json --threads 1 --plot " + (out / "m.svg").string() + " " + kMapBasins).out,
       run.out);
 }
 
@@ -91,7 +91,7 @@ TEST(MapCommand, DrawsLociOverIt) {
   EXPECT_EQ(document["loci"], json::parse(alone.out)["loci"]);
   EXPECT_NE(read_text(out / "m.svg").find("period doubling (PD)"), std::string::npos);
   EXPECT_NE(read_text(out / "run" / "loci.csv").find("PD"), std::string::npos);
-  EXPECT_EQ(run_graze("map --locus PD " + kBasins).code, 2);
+  EXPECT_EQ(run_graze("map --locus PD " + kMapBasins).code, 2);
 }
 
 TEST(MapCommand, DrawsEveryQuantity) {
@@ -99,18 +99,18 @@ TEST(MapCommand, DrawsEveryQuantity) {
   for (const std::string what : {"impacts", "speed", "stuck", "exponent"}) {
     const Finished run =
         run_graze("map --show " + what + (what == "exponent" ? " --exponents 20" : "") +
-                  " --plot " + (out / "m.png").string() + " " + kBasins);
+                  " --plot " + (out / "m.png").string() + " " + kMapBasins);
     EXPECT_EQ(run.code, 0) << run.err;
     EXPECT_GT(read_text(out / "m.png").size(), 3000u);
   }
-  EXPECT_EQ(run_graze("map --show exponent " + kBasins).code, 2);
+  EXPECT_EQ(run_graze("map --show exponent " + kMapBasins).code, 2);
 }
 
 TEST(MapCommand, KeepsWhatWasFinishedInTime) {
-  const Finished run = run_graze("map --json --max-seconds 1e-9 " + kBasins);
+  const Finished run = run_graze("map --json --max-seconds 1e-9 " + kMapBasins);
   EXPECT_EQ(run.code, 3);
   EXPECT_EQ(json::parse(run.out)["outcome"], "budget");
-  EXPECT_EQ(run_graze("map --second stop.gap " + kBasins).code, 2);
+  EXPECT_EQ(run_graze("map --second stop.gap " + kMapBasins).code, 2);
 }
 
 }  // namespace

@@ -12,8 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kScenes = std::string(GRAZE_SOURCE_DIR) + "/data/scenes/";
-const std::string kFrame = kScenes + "24_frame_from_matrices.toml";
+const std::string kFrame = scene("24_frame_from_matrices.toml");
 
 TEST(Modes, TellsThoseOfAFrameAndWritesThemForParaView) {
   const ScratchFolder folder;
@@ -90,14 +89,14 @@ TEST(Modes, OfAMeshAreDrawnByItsElements) {
 
 // The tip of a cantilever has the flexibility L^3/(3 E I), which its modes add up to.
 TEST(Modes, OfABeamAndOfGivenModes) {
-  const json beam = json::parse(run_graze("modes --json " + kScenes + "02_wagg_momentum.toml").out);
+  const json beam = json::parse(run_graze("modes --json " + scene("02_wagg_momentum.toml")).out);
   const double whole = 0.3 * 0.3 * 0.3 / (3.0 * 205e9 * 24.4e-14);
   EXPECT_NEAR(beam["stops"][0]["flexibility"].get<double>() / whole, 1.0, 1e-12);
   // The first mode alone has 4/(1.8751^4) of 1/3.
   EXPECT_GT(beam["stops"][0]["flexibility_of_modes"].get<double>() / whole, 0.97);
   EXPECT_LT(beam["stops"][0]["flexibility_of_modes"].get<double>() / whole, 1.0);
   const json given =
-      json::parse(run_graze("modes --json " + kScenes + "04_impact_oscillator.toml").out);
+      json::parse(run_graze("modes --json " + scene("04_impact_oscillator.toml")).out);
   EXPECT_TRUE(given["stops"][0]["flexibility"].is_null());
 }
 

@@ -14,7 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kOneMode = scene("05_wagg_one_mode.toml");
 const std::string kRange =
     " --parameter forcing.frequency --from 58 --to 62 --points 9 --periods 300 --samples 20 ";
 

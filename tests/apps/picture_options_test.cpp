@@ -14,16 +14,16 @@
 namespace graze {
 namespace {
 
-const std::string kOscillator = std::string(GRAZE_SOURCE_DIR) +
-                                "/data/validation/nlvib_oscillator.toml"
-                                " --parameter forcing.frequency --from 0.5 --to 1.7 ";
-const std::string kOneMode =
+const std::string kDrawnOscillator = std::string(GRAZE_SOURCE_DIR) +
+                                     "/data/validation/nlvib_oscillator.toml"
+                                     " --parameter forcing.frequency --from 0.5 --to 1.7 ";
+const std::string kDrawnBranch =
     scene("05_wagg_one_mode.toml") + " --parameter forcing.frequency --from 15 --to 120 ";
 
 class PictureOptions : public PictureScripts {};
 
 TEST_F(PictureOptions, TheTitleIsTheSceneAndWhatWasSet) {
-  const std::string command = "continue " + kOneMode + "--set stop.gap=2e-3 ";
+  const std::string command = "continue " + kDrawnBranch + "--set stop.gap=2e-3 ";
   EXPECT_NE(script(command).find("caption = 'Wagg''s cantilever with its first mode alone · "
                                  "stop.gap=2e-3'"),
             std::string::npos);
@@ -66,7 +66,7 @@ TEST_F(PictureOptions, EveryPictureTellsWhatWasSet) {
 
 TEST_F(PictureOptions, RangesAreThoseAskedFor) {
   const std::string text =
-      script("continue " + kOneMode + "--x-range 20:60 --y-range :0.3 --labels none");
+      script("continue " + kDrawnBranch + "--x-range 20:60 --y-range :0.3 --labels none");
   EXPECT_NE(text.find("set xrange [20:60]"), std::string::npos);
   EXPECT_TRUE(std::regex_search(text, std::regex(R"(set yrange \[-[0-9.e-]+:0.3\])"))) << text;
 }
@@ -74,7 +74,7 @@ TEST_F(PictureOptions, RangesAreThoseAskedFor) {
 // Clear of the stop the oscillator's amplitude is |A / (1 - w^2 + i c w)|, with A = .02, c = .05.
 TEST_F(PictureOptions, DecibelsAndLogarithmsAreOfTheAmplitude) {
   const auto closed_form = [](double w) { return 0.02 / std::hypot(1.0 - w * w, 0.05 * w); };
-  const std::string command = "continue " + kOscillator + "--impacts 0 --show amplitude ";
+  const std::string command = "continue " + kDrawnOscillator + "--impacts 0 --show amplitude ";
   EXPECT_NE(script(command + "--y-scale dB").find("(dB re 1 m)"), std::string::npos);
   int compared = 0;
   for (const auto& [w, height] : data("stable"))
@@ -131,8 +131,8 @@ TEST_F(PictureOptions, AResponseIsRightToAPixelAtItsAntiresonance) {
 // A column of 84 mm with words of 8 points keeps their room; a script says it in cm.
 TEST_F(PictureOptions, SizesAndFontsAreThoseAskedFor) {
   const auto drawn = [&](const std::string& file, const std::string& more) {
-    const Finished run =
-        run_graze("continue " + kOneMode + "--quiet --plot " + (scratch / file).string() + more);
+    const Finished run = run_graze("continue " + kDrawnBranch + "--quiet --plot " +
+                                   (scratch / file).string() + more);
     EXPECT_EQ(run.code, 0) << run.err;
     return read_text(scratch / "x.gp");
   };
@@ -153,14 +153,14 @@ TEST_F(PictureOptions, SizesAndFontsAreThoseAskedFor) {
                       "0.7 dashlength 0.7 size 640,1067"),
             std::string::npos);
   for (const char* wrong : {"--size 5", "--size 84x60", "--size 84:", "--font ,1", "--font x,y"})
-    EXPECT_NE(refusal("continue " + kOneMode + wrong).find("is not allowed; give"),
+    EXPECT_NE(refusal("continue " + kDrawnBranch + wrong).find("is not allowed; give"),
               std::string::npos)
         << wrong;
 }
 
 // Letters of a label are measured to be .167 cm wide at most, in a panel of 9.36 cm.
 TEST_F(PictureOptions, LabelsCoverNoMarkAndNoOtherLabel) {
-  const std::string text = script("continue " + kOneMode + "--follow all --max-step 0.5");
+  const std::string text = script("continue " + kDrawnBranch + "--follow all --max-step 0.5");
   struct Box {
     double left, right, low, high;
     std::string name;
@@ -216,15 +216,15 @@ TEST_F(PictureOptions, LabelsCoverNoMarkAndNoOtherLabel) {
         EXPECT_FALSE(at_x > box.left && at_x < box.right && at_y > box.low && at_y < box.high)
             << box.name << " is crossed at " << x;
     }
-  EXPECT_EQ(script("continue " + kOneMode + "--labels none").find("'PD2'"), std::string::npos);
-  const std::string special = script("continue " + kOneMode + "--labels special");
+  EXPECT_EQ(script("continue " + kDrawnBranch + "--labels none").find("'PD2'"), std::string::npos);
+  const std::string special = script("continue " + kDrawnBranch + "--labels special");
   EXPECT_NE(special.find("'PD2'"), std::string::npos);
   EXPECT_EQ(special.find("'(1,1)'"), std::string::npos);
 }
 
 TEST_F(PictureOptions, ASlideIsTwiceAsLargeWithHeavierLines) {
-  const std::string paper = script("continue " + kOneMode);
-  const std::string slide = script("continue " + kOneMode + "--style slide");
+  const std::string paper = script("continue " + kDrawnBranch);
+  const std::string slide = script("continue " + kDrawnBranch + "--style slide");
   EXPECT_NE(paper.find("Sans,11' fontscale 1.59 linewidth 1.4 dashlength 0.7 size 640,"),
             std::string::npos);
   EXPECT_NE(slide.find("Sans,22' fontscale 1.59 linewidth 4.2 dashlength 0.7 size 1280,"),
@@ -234,7 +234,7 @@ TEST_F(PictureOptions, ASlideIsTwiceAsLargeWithHeavierLines) {
 // The script and the data that are kept draw the picture again.
 TEST_F(PictureOptions, ThePictureIsDrawnAgainByItsScript) {
   for (const std::string& command : std::vector<std::string>{
-           "continue " + kOneMode, "diagram " + kOneMode + "--points 20 --exponents 50"}) {
+           "continue " + kDrawnBranch, "diagram " + kDrawnBranch + "--points 20 --exponents 50"}) {
     script(command);
     const std::string before = read_text(scratch / "x.svg");
     std::filesystem::remove(scratch / "x.svg");
@@ -244,7 +244,7 @@ TEST_F(PictureOptions, ThePictureIsDrawnAgainByItsScript) {
 }
 
 TEST_F(PictureOptions, AreRefusedWithAReason) {
-  const std::string command = "continue " + kOneMode;
+  const std::string command = "continue " + kDrawnBranch;
   EXPECT_NE(refusal(command + "--x-range 5").find("--x-range: '5' is not allowed"),
             std::string::npos);
   EXPECT_NE(refusal(command + "--y-range 2:1").find("the smaller one first"), std::string::npos);
@@ -261,13 +261,13 @@ TEST_F(PictureOptions, MeasurementsNamedLikeThePictureAreKept) {
 }
 
 TEST_F(PictureOptions, ALineBreakInATitleIsABlank) {
-  EXPECT_NE(script("continue " + kOneMode + "--title 'one\ntwo'").find("caption = 'one two'"),
+  EXPECT_NE(script("continue " + kDrawnBranch + "--title 'one\ntwo'").find("caption = 'one two'"),
             std::string::npos);
 }
 
 // From 0.5 to 1.7 rad/s a logarithmic axis has the tics 0.5 and 1, and 0.1 and 0.2 Hz.
 TEST_F(PictureOptions, ALogarithmicAxisWithinADecadeHasTics) {
-  const std::string text = script("continue " + kOscillator + "--x-scale log");
+  const std::string text = script("continue " + kDrawnOscillator + "--x-scale log");
   EXPECT_NE(text.find("set xtics (0.5, 1)"), std::string::npos);
   EXPECT_NE(text.find("set x2tics (0.1, 0.2)"), std::string::npos);
 }
@@ -277,14 +277,14 @@ TEST_F(PictureOptions, APageHasNoUseForThem) {
        {"--title x", "--style slide", "--size 84", "--font ,9", "--labels none", "--x-range 20:60",
         "--y-scale log", "--multipliers"}) {
     const std::string page = (scratch / "x.html").string();
-    const Finished run = run_graze("continue " + kOneMode + option + " --plot " + page);
+    const Finished run = run_graze("continue " + kDrawnBranch + option + " --plot " + page);
     EXPECT_EQ(run.code, 2) << option;
     EXPECT_NE(run.err.find("are of pictures"), std::string::npos) << run.err;
     EXPECT_FALSE(std::filesystem::exists(page));
   }
-  EXPECT_NE(
-      refusal("continue " + kOneMode + "--y-scale log --y-range -1:2").find("give ends above zero"),
-      std::string::npos);
+  EXPECT_NE(refusal("continue " + kDrawnBranch + "--y-scale log --y-range -1:2")
+                .find("give ends above zero"),
+            std::string::npos);
 }
 
 TEST_F(PictureOptions, APlaneHasTwoParameters) {

@@ -98,4 +98,16 @@ inline std::string reference_case(const std::string& name) {
   return std::string(GRAZE_SOURCE_DIR) + "/tests/reference/cases/" + name;
 }
 
+// A scene of measurements, or their table.
+inline std::string measured(const std::string& name) {
+  return std::string(GRAZE_SOURCE_DIR) + "/data/measurements/" + name;
+}
+
+// Scenes of many of these tests.
+inline const std::string kOneMode = scene("05_wagg_one_mode.toml");
+inline const std::string kOscillator = scene("04_impact_oscillator.toml");
+inline const std::string kBall = scene("06_bouncing_ball.toml");
+inline const std::string kMomentum = scene("02_wagg_momentum.toml");
+inline const std::string kForcedChatter = reference_case("sticking/Z2b.toml");
+
 }  // namespace graze

@@ -11,8 +11,6 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kOneMode = scene("05_wagg_one_mode.toml");
-
 TEST(Program, PrintsVersionAndHelpOfEveryCommand) {
   EXPECT_EQ(run_graze("--version").out, "graze 0.1.0\n");
   for (const char* command : {"", "check ", "simulate ", "orbit ", "continue ", "diagram "}) {

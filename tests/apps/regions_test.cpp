@@ -11,13 +11,13 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kOneMode = scene("05_wagg_one_mode.toml");
-const std::string kPlane =
+const std::string kRegionPlane =
     " --parameter forcing.frequency --from 45 --to 55 --second stop.gap --second-from 1e-3 "
     "--second-to 2e-3 --set stop.gap=1.5e-3 --set forcing.frequency=50 --slices 1 ";
 
 TEST(RegionsCommand, WritesTheDocument) {
-  const Finished run = run_graze("continue --json --locus GR --regions 5" + kPlane + kOneMode);
+  const Finished run =
+      run_graze("continue --json --locus GR --regions 5" + kRegionPlane + kOneMode);
   ASSERT_EQ(run.code, 0) << run.err;
   const json document = json::parse(run.out);
   EXPECT_EQ(document["outcome"], "complete");
@@ -57,7 +57,7 @@ TEST(RegionsCommand, WritesATableAndAPicture) {
   const ScratchFolder folder;
   const Finished run =
       run_graze("continue --wide --locus all --regions 4 --out " + folder.string() + " --plot " +
-                (folder / "plane.svg").string() + kPlane + kOneMode);
+                (folder / "plane.svg").string() + kRegionPlane + kOneMode);
   ASSERT_EQ(run.code, 0) << run.err;
   const std::vector<std::string> lines = lines_of(folder / "regions.csv");
   ASSERT_EQ(lines.size(), 17u);
@@ -78,7 +78,7 @@ TEST(RegionsCommand, WritesATableAndAPicture) {
 TEST(RegionsCommand, DoNotDependOnThreads) {
   const auto document = [](const std::string& threads) {
     const Finished run = run_graze("continue --json --locus GR --regions 6 --threads " + threads +
-                                   kPlane + kOneMode);
+                                   kRegionPlane + kOneMode);
     EXPECT_EQ(run.code, 0) << run.err;
     return json::parse(run.out)["regions"];
   };
@@ -86,8 +86,8 @@ TEST(RegionsCommand, DoNotDependOnThreads) {
 }
 
 TEST(RegionsCommand, KeepsWhatTheTimeAllows) {
-  const Finished run =
-      run_graze("continue --json --locus GR --regions 300 --max-seconds 2" + kPlane + kOneMode);
+  const Finished run = run_graze("continue --json --locus GR --regions 300 --max-seconds 2" +
+                                 kRegionPlane + kOneMode);
   EXPECT_EQ(run.code, 3) << run.err;
   const json document = json::parse(run.out);
   EXPECT_EQ(document["outcome"], "budget");
@@ -117,8 +117,8 @@ TEST(RegionsCommand, RefusesInWords) {
     EXPECT_EQ(run.out, "");
   };
   expect_refused("--regions 4 --parameter forcing.frequency --from 45 --to 55 ", "--locus");
-  expect_refused("--locus GR --regions 0" + kPlane, "1 to 400");
-  expect_refused("--locus GR --regions 2.5" + kPlane, "2.5");
+  expect_refused("--locus GR --regions 0" + kRegionPlane, "1 to 400");
+  expect_refused("--locus GR --regions 2.5" + kRegionPlane, "2.5");
 }
 
 }  // namespace

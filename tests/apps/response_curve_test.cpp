@@ -11,9 +11,10 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kOscillator =
+const std::string kResponseOscillator =
     std::string(GRAZE_SOURCE_DIR) + "/data/validation/nlvib_oscillator.toml";
-const std::string kRange = kOscillator + " --parameter forcing.frequency --from 0.5 --to 0.85 ";
+const std::string kResponseRange =
+    kResponseOscillator + " --parameter forcing.frequency --from 0.5 --to 0.85 ";
 
 json document(const std::string& arguments, int code = 0) {
   const Finished run = run_graze(arguments + " --json");
@@ -27,7 +28,7 @@ double size_at(double frequency) {
 }
 
 TEST(ResponseCurve, OfASweepIsContinuousWhereNothingIsHit) {
-  const json found = document("diagram " + kRange + "--points 8 --amplitudes");
+  const json found = document("diagram " + kResponseRange + "--points 8 --amplitudes");
   ASSERT_EQ(found["sweep"]["rows"].size(), 8U);
   for (const json& row : found["sweep"]["rows"]) {
     EXPECT_EQ(row["attractor"], "clear");
@@ -53,7 +54,7 @@ TEST(ResponseCurve, OfASweepIsContinuousWhereNothingIsHit) {
 }
 
 TEST(ResponseCurve, IsNotMeasuredUnlessThatIsAsked) {
-  const json found = document("diagram " + kRange + "--points 3");
+  const json found = document("diagram " + kResponseRange + "--points 3");
   EXPECT_TRUE(found["branches"].empty());
   EXPECT_FALSE(found["sweep"]["rows"][0].contains("amplitudes"));
 }
@@ -61,7 +62,8 @@ TEST(ResponseCurve, IsNotMeasuredUnlessThatIsAsked) {
 TEST(ResponseCurve, StandsInTheTables) {
   const ScratchFolder scratch;
   const std::string folder = (scratch / "out").string();
-  ASSERT_EQ(run_graze("diagram " + kRange + "--points 3 --amplitudes --out " + folder).code, 0);
+  ASSERT_EQ(run_graze("diagram " + kResponseRange + "--points 3 --amplitudes --out " + folder).code,
+            0);
   for (const char* table : {"sweep.csv", "branches.csv"}) {
     const std::vector<std::string> lines = lines_of(std::filesystem::path(folder) / table);
     const auto columns = [](const std::string& line) {
@@ -72,11 +74,11 @@ TEST(ResponseCurve, StandsInTheTables) {
     for (const std::string& line : lines) EXPECT_EQ(columns(line), columns(lines[0])) << table;
   }
   // A resumed run reads its rows back.
-  const std::string again =
-      run_graze("diagram " + kRange + "--points 3 --amplitudes --json --resume --out " + folder)
-          .out;
+  const std::string again = run_graze("diagram " + kResponseRange +
+                                      "--points 3 --amplitudes --json --resume --out " + folder)
+                                .out;
   const json read = json::parse(again),
-             fresh = document("diagram " + kRange + "--points 3 --amplitudes");
+             fresh = document("diagram " + kResponseRange + "--points 3 --amplitudes");
   EXPECT_EQ(read["sweep"]["rows"], fresh["sweep"]["rows"]);
   EXPECT_EQ(read["branches"], fresh["branches"]);
 }
@@ -85,17 +87,17 @@ TEST(ResponseCurve, IsDrawnWithItsOwnAxis) {
   const ScratchFolder scratch;
   const std::string picture = (scratch / "curve.svg").string();
   const auto script = scratch / "curve.gp";
-  ASSERT_EQ(run_graze("continue " + kRange + "--show rms --plot " + picture).code, 0);
+  ASSERT_EQ(run_graze("continue " + kResponseRange + "--show rms --plot " + picture).code, 0);
   EXPECT_NE(read_text(script).find("root mean square at probe 1 (mm)"), std::string::npos);
-  ASSERT_EQ(run_graze("diagram " + kRange + "--points 3 --show peak-velocity --at stop.1 --plot " +
-                      picture)
+  ASSERT_EQ(run_graze("diagram " + kResponseRange +
+                      "--points 3 --show peak-velocity --at stop.1 --plot " + picture)
                 .code,
             0);
   EXPECT_NE(read_text(script).find("largest velocity at stop 1 ("), std::string::npos);
   for (const char* command : {"continue ", "diagram "}) {
     const std::string page = (scratch / "curve.html").string();
     const Finished run =
-        run_graze(command + kRange + "--show amplitude --plot " + page + " --quiet");
+        run_graze(command + kResponseRange + "--show amplitude --plot " + page + " --quiet");
     EXPECT_EQ(run.code, 0) << run.err;
     EXPECT_NE(read_text(page).find("amplitude at probe 1"), std::string::npos);
   }
@@ -135,17 +137,17 @@ TEST(ResponseCurve, OfAMapIsTheClosedFormWhereItIsClear) {
 }
 
 TEST(ResponseCurve, SaysWhatPlacesThereAre) {
-  const Finished none = run_graze("continue " + kRange + "--show peak-force --at probe.1");
+  const Finished none = run_graze("continue " + kResponseRange + "--show peak-force --at probe.1");
   EXPECT_EQ(none.code, 2);
   EXPECT_NE(none.err.find("--at: 'probe.1' is not allowed; give one of stop.1"), std::string::npos)
       << none.err;
-  const Finished rate = run_graze("continue " + kRange +
+  const Finished rate = run_graze("continue " + kResponseRange +
                                   "--show peak-velocity --at probe.2 --set probe.2.shape=[1.0] "
                                   "--set 'probe.2.quantity=\"velocity\"'");
   EXPECT_EQ(rate.code, 2);
   EXPECT_NE(rate.err.find("--at: 'probe.2' is not allowed"), std::string::npos) << rate.err;
-  EXPECT_EQ(run_graze("continue " + kRange + "--show speediness").code, 2);
-  EXPECT_EQ(run_graze("continue " + kRange + "--at stop.1").code, 2);
+  EXPECT_EQ(run_graze("continue " + kResponseRange + "--show speediness").code, 2);
+  EXPECT_EQ(run_graze("continue " + kResponseRange + "--at stop.1").code, 2);
 }
 
 TEST(ResponseCurve, IsRefusedWhereThereIsNone) {
@@ -153,25 +155,25 @@ TEST(ResponseCurve, IsRefusedWhereThereIsNone) {
       scene("06_bouncing_ball.toml") +
       " --parameter gravity.acceleration --from 5 --to 9 --points 3 --duration 1 ";
   EXPECT_EQ(run_graze("diagram " + ball + "--show rms").code, 2);
-  const std::string loci =
-      "continue " + kRange + "--second stop.gap --second-from 0.05 --second-to 0.1 --locus GR ";
+  const std::string loci = "continue " + kResponseRange +
+                           "--second stop.gap --second-from 0.05 --second-to 0.1 --locus GR ";
   EXPECT_EQ(run_graze(loci + "--amplitudes").code, 2);
   EXPECT_EQ(run_graze(loci + "--show rms").code, 2);
   EXPECT_EQ(run_graze(loci + "--impacts 0").code, 2);
-  EXPECT_EQ(run_graze("continue " + kRange + "--impacts 0 --period 2").code, 2);
+  EXPECT_EQ(run_graze("continue " + kResponseRange + "--impacts 0 --period 2").code, 2);
 }
 
 TEST(ResponseCurve, OfAnotherQuantityIsDrawnFromTheSameRows) {
   const ScratchFolder scratch;
   const std::string line =
-      "diagram " + kRange + "--points 3 --out " + (scratch / "out").string() + " --show ";
+      "diagram " + kResponseRange + "--points 3 --out " + (scratch / "out").string() + " --show ";
   ASSERT_EQ(run_graze(line + "rms").code, 0);
   const Finished again = run_graze(line + "max --resume");
   EXPECT_EQ(again.code, 0) << again.err;
 }
 
 TEST(ResponseCurve, OfTheResponseAlone) {
-  const json found = document("continue " + kOscillator +
+  const json found = document("continue " + kResponseOscillator +
                               " --parameter forcing.frequency --from 0.5 --to 1.7 --impacts 0");
   ASSERT_EQ(found["branches"].size(), 2U);
   EXPECT_EQ(found["counters"]["starts"], 0);
@@ -180,19 +182,19 @@ TEST(ResponseCurve, OfTheResponseAlone) {
 
 TEST(Amplitudes, OfARunAreThoseOfItsSteadyResponse) {
   // After 200 periods what is left of the start is below exp(-31).
-  const json found = document("simulate " + kOscillator +
+  const json found = document("simulate " + kResponseOscillator +
                               " --set forcing.frequency=0.5 --periods 200 --amplitudes"
                               " --amplitudes-from 2400 --record none");
   const double size = size_at(0.5);
   EXPECT_NEAR(found["amplitudes"][0]["amplitude"].get<double>(), size, 1e-12 * size);
   EXPECT_NEAR(found["measured_time"].get<double>(), 200.0 * 4.0 * M_PI - 2400.0, 1e-9);
-  EXPECT_FALSE(document("simulate " + kOscillator + " --periods 2").contains("amplitudes"));
-  EXPECT_EQ(run_graze("simulate " + kOscillator + " --amplitudes-from 1").code, 2);
+  EXPECT_FALSE(document("simulate " + kResponseOscillator + " --periods 2").contains("amplitudes"));
+  EXPECT_EQ(run_graze("simulate " + kResponseOscillator + " --amplitudes-from 1").code, 2);
 }
 
 TEST(Amplitudes, OfForcesAreTablesOfTheirMeans) {
   const ScratchFolder scratch;
-  const json found = document("simulate " + kOscillator +
+  const json found = document("simulate " + kResponseOscillator +
                               " --set forcing.frequency=1 --periods 20 --forces 64 --out " +
                               (scratch / "out").string());
   EXPECT_TRUE(found["amplitudes"].empty());
@@ -207,7 +209,8 @@ TEST(Amplitudes, OfForcesAreTablesOfTheirMeans) {
   const std::vector<std::string> table = lines_of(scratch / "out/forces.csv");
   ASSERT_EQ(table.size(), 65U);
   EXPECT_EQ(table.front(), "from,to,force1");
-  EXPECT_EQ(run_graze("simulate " + kOscillator + " --forces 64 --amplitudes-from 1e9").code, 2);
+  EXPECT_EQ(
+      run_graze("simulate " + kResponseOscillator + " --forces 64 --amplitudes-from 1e9").code, 2);
 }
 
 }  // namespace

@@ -10,9 +10,6 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kMomentum = scene("02_wagg_momentum.toml");
-const std::string kBall = scene("06_bouncing_ball.toml");
-
 // Runs of one scene in folders of their own, with all that can be recorded.
 class Runs {
  public:

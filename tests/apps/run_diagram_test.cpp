@@ -12,7 +12,6 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kBall = scene("06_bouncing_ball.toml");
 const std::string kDrops = "--parameter stop.gap --from 0.5 --to 2 ";
 const std::string kHub = scene("19_yigit_momentum.toml");
 const std::string kTorques = "--parameter hub.torque.amplitude --from 0.1 --to 0.2 --points 3 ";

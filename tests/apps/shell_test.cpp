@@ -7,9 +7,7 @@
 namespace graze {
 namespace {
 
-const std::string kOneMode = scene("05_wagg_one_mode.toml");
-
-std::vector<std::string> commands() {
+std::vector<std::string> listed_commands() {
   std::vector<std::string> names;
   std::istringstream lines(run_graze("help").out);
   bool below = false;
@@ -23,7 +21,7 @@ std::vector<std::string> commands() {
 
 TEST(Shell, HelpOfACommandIsWhatItsOptionPrints) {
   EXPECT_EQ(run_graze("help").out, run_graze("--help").out);
-  const std::vector<std::string> names = commands();
+  const std::vector<std::string> names = listed_commands();
   EXPECT_GT(names.size(), 13u);
   for (const std::string& name : names) {
     const Finished help = run_graze("help " + name);
@@ -50,7 +48,7 @@ TEST(Shell, WhatCannotBePrintedExitsWith4) {
   }
 }
 
-// Every scene is whole: it passes the check, and the commands it names run.
+// Every scene is whole: it passes the check, and the listed_commands it names run.
 TEST(Shell, InitWritesScenesThatPassTheCheck) {
   for (const std::string kind : {"beam", "oscillator", "matrices", "hub"}) {
     const ScratchFolder scratch;

@@ -15,9 +15,6 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kOneMode = scene("05_wagg_one_mode.toml");
-const std::string kMomentum = scene("02_wagg_momentum.toml");
-const std::string kBall = scene("06_bouncing_ball.toml");
 const std::string kPreloaded = scene("08_preloaded_oscillator.toml");
 
 json simulated(const std::string& arguments, int code = 0) {

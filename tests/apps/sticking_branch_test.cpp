@@ -12,15 +12,14 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kForcedChatter = reference_case("sticking/Z2b.toml");
 constexpr double kHalfTurn = 3.14159265358979324;
-const std::string kRange = " --parameter stop.restitution --from 0.1 --to 0.6 ";
+const std::string kRestitutionRange = " --parameter stop.restitution --from 0.1 --to 0.6 ";
 
 TEST(StickingBranchCommand, ReportsTheBranchAndItsChatterPoint) {
   const ScratchFolder scratch;
   const std::string folder = (scratch / "out").string();
   const Finished run =
-      run_graze("continue --json" + kRange + "--out " + folder + " " + kForcedChatter);
+      run_graze("continue --json" + kRestitutionRange + "--out " + folder + " " + kForcedChatter);
   ASSERT_EQ(run.code, 0) << run.err;
   const json document = json::parse(run.out);
   EXPECT_EQ(document["outcome"], "complete");
@@ -56,7 +55,8 @@ TEST(StickingBranchCommand, ReportsTheBranchAndItsChatterPoint) {
 }
 
 TEST(StickingBranchCommand, IsNotTracedWhereANumberOfImpactsIsAsked) {
-  const Finished run = run_graze("continue --json --impacts 1" + kRange + kForcedChatter);
+  const Finished run =
+      run_graze("continue --json --impacts 1" + kRestitutionRange + kForcedChatter);
   const json result = json::parse(run.out);
   for (const json& branch : result["branches"]) EXPECT_EQ(branch["stuck"], false);
 }
@@ -64,7 +64,7 @@ TEST(StickingBranchCommand, IsNotTracedWhereANumberOfImpactsIsAsked) {
 TEST(StickingBranchCommand, SumsChattersBelowTheClosureSpeed) {
   for (const char* speed : {"1e-3", "1e-6"}) {
     const Finished run = run_graze("continue --json --closure-speed " + std::string(speed) +
-                                   kRange + kForcedChatter);
+                                   kRestitutionRange + kForcedChatter);
     ASSERT_EQ(run.code, 0) << run.err;
     const json branch = json::parse(run.out)["branches"][0];
     EXPECT_EQ(branch["points"][0]["closure_speed"].get<double>(), std::stod(speed));
@@ -73,7 +73,7 @@ TEST(StickingBranchCommand, SumsChattersBelowTheClosureSpeed) {
 }
 
 TEST(StickingBranchCommand, PrintsTheBranch) {
-  const Finished run = run_graze("continue" + kRange + kForcedChatter);
+  const Finished run = run_graze("continue" + kRestitutionRange + kForcedChatter);
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.out.find("(1, stick)"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("CH1"), std::string::npos) << run.out;
@@ -83,13 +83,13 @@ TEST(StickingBranchCommand, PrintsTheBranch) {
 TEST(StickingBranchCommand, IsDrawnInBothPictures) {
   const ScratchFolder scratch;
   const std::string branches = (scratch / "branches.svg").string();
-  ASSERT_EQ(run_graze("continue --plot " + branches + kRange + kForcedChatter).code, 0);
+  ASSERT_EQ(run_graze("continue --plot " + branches + kRestitutionRange + kForcedChatter).code, 0);
   EXPECT_NE(read_text(branches).find("chatter ends (CH)"), std::string::npos);
   for (const char* section : {"impact", "stroboscopic"}) {
     const std::string diagram = (scratch / (std::string(section) + ".svg")).string();
     const Finished run =
         run_graze("diagram --points 21 --periods 50 --section " + std::string(section) +
-                  " --plot " + diagram + kRange + kForcedChatter);
+                  " --plot " + diagram + kRestitutionRange + kForcedChatter);
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_NE(read_text(diagram).find("chatter ends (CH)"), std::string::npos);
   }

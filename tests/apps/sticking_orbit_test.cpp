@@ -11,8 +11,6 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kForcedChatter = reference_case("sticking/Z2b.toml");
-
 TEST(StickingOrbitCommand, ReportsItsStuckPhases) {
   const ScratchFolder scratch;
   const std::string folder = (scratch / "out").string();

@@ -21,10 +21,6 @@ std::string validation(const std::string& name) {
   return std::string(GRAZE_SOURCE_DIR) + "/data/validation/" + name;
 }
 
-std::string measured(const std::string& name) {
-  return std::string(GRAZE_SOURCE_DIR) + "/data/measurements/" + name;
-}
-
 std::vector<std::string> printed_lines(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);

@@ -11,10 +11,6 @@ namespace {
 
 using nlohmann::json;
 
-std::string measured(const std::string& name) {
-  return std::string(GRAZE_SOURCE_DIR) + "/data/measurements/" + name;
-}
-
 struct Drawn {
   const char* name;
   std::string line;  // of the command
@@ -24,11 +20,10 @@ struct Drawn {
 
 void PrintTo(const Drawn& drawn, std::ostream* stream) { *stream << drawn.name; }
 
-const std::string kOneMode = scene("05_wagg_one_mode.toml");
-const std::string kSweep =
+const std::string kViewedSweep =
     "diagram --parameter forcing.frequency --from 58 --to 62 --points 9 --periods 300 --samples "
     "20 ";
-const std::string kPlane =
+const std::string kViewedPlane =
     " --parameter forcing.frequency --from 50 --to 60 --points 5 --second stop.gap "
     "--second-from 0.5e-3 --second-to 2e-3 --second-points 4 ";
 
@@ -65,29 +60,30 @@ std::vector<Drawn> all_drawn() {
       {"response", "continue --show rms --at stop.1" + branch},
       {"loci", plane},
       {"loci_page", plane, "p.html"},
-      {"diagram", kSweep + kOneMode},
-      {"diagram_page", kSweep + "--exponents 30 " + kOneMode, "p.html"},
-      {"diagram_stroboscopic", kSweep + "--section stroboscopic " + kOneMode},
-      {"diagram_response", kSweep + "--show peak-velocity --branches none " + kOneMode},
+      {"diagram", kViewedSweep + kOneMode},
+      {"diagram_page", kViewedSweep + "--exponents 30 " + kOneMode, "p.html"},
+      {"diagram_stroboscopic", kViewedSweep + "--section stroboscopic " + kOneMode},
+      {"diagram_response", kViewedSweep + "--show peak-velocity --branches none " + kOneMode},
       {"diagram_of_runs",
        "diagram --duration 1.8 --points 7 --parameter stop.gap --from 0.5 --to 2 " + ball},
-      {"map", "map --show speed --periods 200" + kPlane + kOneMode},
-      {"map_measured", "map --show rms --at stop.1 --periods 200" + kPlane + kOneMode},
-      {"map_page", "map --locus GR --slices 2 --periods 200" + kPlane + kOneMode, "p.html"},
+      {"map", "map --show speed --periods 200" + kViewedPlane + kOneMode},
+      {"map_measured", "map --show rms --at stop.1 --periods 200" + kViewedPlane + kOneMode},
+      {"map_page", "map --locus GR --slices 2 --periods 200" + kViewedPlane + kOneMode, "p.html"},
       {"basins",
        "map --periods 200 --parameter initial.q.1 --from -1e-5 --to 1e-5 --points 4 --second "
        "initial.qdot.1 --second-from -1e-4 --second-to 1e-4 --second-points 3 " +
            kOneMode},
       {"compare", "compare --periods 200 --against beam.modes=2 " + kOneMode},
       {"compare_modes", "compare --periods 200 --modes 1:3 " + beam},
-      {"compare_map", "compare --periods 200 --against stop.restitution=0.7" + kPlane + kOneMode},
+      {"compare_map",
+       "compare --periods 200 --against stop.restitution=0.7" + kViewedPlane + kOneMode},
       {"sensitivity",
        "compare --sensitivity --parameter hub.torque.amplitude --from 0.1 --to 0.2 --points 3 "
        "--duration 0.05 " +
            scene("20_yigit_sensitivity.toml")},
       {"cost", "cost --impacts 3 " + kOneMode},
       {"compare_map_page",
-       "compare --periods 200 --against stop.restitution=0.7" + kPlane + kOneMode, "p.html"},
+       "compare --periods 200 --against stop.restitution=0.7" + kViewedPlane + kOneMode, "p.html"},
       {"fit_page", "fit " + measured("restitution.toml") + " " + measured("restitution.csv"),
        "p.html"},
       {"fit", "fit " + measured("restitution.toml") + " " + measured("restitution.csv")},
@@ -207,7 +203,7 @@ TEST_F(ViewedFolder, OfAnotherVersionIsRefused) {
 
 TEST_F(ViewedFolder, OfAShareSaysWhatToDo) {
   run_ = (scratch_ / "share").string();
-  ASSERT_EQ(run_graze(kSweep + "--shard 1/2 --out " + run_ + " " + kOneMode).code, 0);
+  ASSERT_EQ(run_graze(kViewedSweep + "--shard 1/2 --out " + run_ + " " + kOneMode).code, 0);
   expect_refused(4, run_ + "/record.json", "graze merge");
 }
 
@@ -288,7 +284,7 @@ TEST(ViewLater, ShowsAnotherQuantity) {
   const ScratchFolder scratch;
   const std::string run = (scratch / "map").string(), branches = (scratch / "branches").string();
   std::filesystem::create_directory(scratch / "once");
-  const std::string line = "map --periods 200" + kPlane + kOneMode + " --out " + run;
+  const std::string line = "map --periods 200" + kViewedPlane + kOneMode + " --out " + run;
   const std::string once = (scratch / "once" / "p.svg").string();
   const std::string again = (scratch / "p.svg").string();
   ASSERT_EQ(run_graze(line + " --show impacts --plot " + once).code, 0);

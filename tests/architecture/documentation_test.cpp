@@ -13,13 +13,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = GRAZE_SOURCE_DIR;
+const fs::path kProjectRoot = GRAZE_SOURCE_DIR;
 
 std::vector<fs::path> pages() {
   std::vector<fs::path> list;
-  for (const fs::directory_entry& entry : fs::directory_iterator(kRoot))
+  for (const fs::directory_entry& entry : fs::directory_iterator(kProjectRoot))
     if (entry.path().extension() == ".md") list.push_back(entry.path());
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kRoot / "docs"))
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kProjectRoot / "docs"))
     if (entry.path().extension() == ".md") list.push_back(entry.path());
   EXPECT_GT(list.size(), 10u);
   return list;
@@ -61,7 +61,7 @@ TEST(Documentation, HoldsNoMarksOfAMerge) {
 
 TEST(Documentation, NamesSourceFilesThatAreThere) {
   std::set<std::string> rooms;
-  for (const fs::directory_entry& entry : fs::directory_iterator(kRoot / "lib" / "graze"))
+  for (const fs::directory_entry& entry : fs::directory_iterator(kProjectRoot / "lib" / "graze"))
     rooms.insert(entry.path().filename().string());
   std::size_t checked = 0;
   for (const fs::path& page : pages()) {
@@ -70,7 +70,7 @@ TEST(Documentation, NamesSourceFilesThatAreThere) {
          found(text_of(page), R"(`(?:lib/graze/|graze/)?((?:\w+/)+\w+\.[hc]pp)`)")) {
       if (!rooms.count(name.substr(0, name.find('/')))) continue;
       ++checked;
-      EXPECT_TRUE(fs::exists(kRoot / "lib" / "graze" / name)) << page << " names " << name;
+      EXPECT_TRUE(fs::exists(kProjectRoot / "lib" / "graze" / name)) << page << " names " << name;
     }
   }
   EXPECT_GT(checked, 50u);
@@ -79,18 +79,19 @@ TEST(Documentation, NamesSourceFilesThatAreThere) {
 // Whoever uses the library finds every header that is installed, and none that is not.
 TEST(Documentation, ListsThePublicHeaders) {
   std::set<std::string> there;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kRoot / "lib" / "graze"))
+  for (const fs::directory_entry& entry :
+       fs::recursive_directory_iterator(kProjectRoot / "lib" / "graze"))
     if (entry.path().extension() == ".hpp" && entry.path().parent_path().filename() != "detail")
-      there.insert(fs::relative(entry.path(), kRoot / "lib").generic_string());
+      there.insert(fs::relative(entry.path(), kProjectRoot / "lib").generic_string());
   std::set<std::string> listed;
   for (const std::string& name :
-       found(text_of(kRoot / "docs" / "library.md"), R"(`(graze/(?:\w+/)+\w+\.hpp)`)"))
+       found(text_of(kProjectRoot / "docs" / "library.md"), R"(`(graze/(?:\w+/)+\w+\.hpp)`)"))
     listed.insert(name);
   EXPECT_EQ(listed, there);
 }
 
 TEST(Documentation, GalleryShowsWhatItsCommandsDraw) {
-  const std::string page = text_of(kRoot / "docs" / "gallery.md");
+  const std::string page = text_of(kProjectRoot / "docs" / "gallery.md");
   const std::vector<std::string> shown = found(page, R"(\]\(pictures/([\w.]+)\))");
   EXPECT_GT(shown.size(), 8u);
   EXPECT_EQ(shown, found(page, R"(\n    build/graze [^\n]* --plot ([\w.]+)\n)"));
@@ -115,7 +116,7 @@ TEST(Documentation, TellsHowTheExamplesItNamesAreBuilt) {
 
 // What a test measures shall not change what is under version control.
 TEST(Documentation, IsNotWrittenByRunningTheTests) {
-  const std::string script = text_of(kRoot / "tests" / "run.sh");
+  const std::string script = text_of(kProjectRoot / "tests" / "run.sh");
   const std::vector<std::string> commands = found(script, R"(\n *([^#\n][^\n]*))");
   EXPECT_GT(commands.size(), 10u);
   for (const std::string& command : commands)
@@ -124,7 +125,7 @@ TEST(Documentation, IsNotWrittenByRunningTheTests) {
 
 // A reader finds every page from docs/index.md.
 TEST(Documentation, IndexNamesEveryPage) {
-  const fs::path docs = kRoot / "docs";
+  const fs::path docs = kProjectRoot / "docs";
   const std::vector<std::string> links =
       found(text_of(docs / "index.md"), R"(\]\(([\w./-]+[.]md)(?:#[^)]*)?\))");
   const std::set<std::string> named(links.begin(), links.end());
@@ -140,7 +141,8 @@ TEST(Documentation, SupersededDecisionsLinkALaterOne) {
   const std::regex form(R"(# [^\n]*\n\nSuperseded (?:in part )?by )"
                         R"(\[(\d+)\]\(\d+_\w+\.md\)[^\n]*: [^\n]+)");
   std::size_t superseded = 0;
-  for (const fs::directory_entry& entry : fs::directory_iterator(kRoot / "docs" / "decisions")) {
+  for (const fs::directory_entry& entry :
+       fs::directory_iterator(kProjectRoot / "docs" / "decisions")) {
     const std::string text = text_of(entry.path());
     if (text.find("\nSuperseded") == std::string::npos) {
       EXPECT_FALSE(is_sketch(entry.path())) << entry.path() << " is a sketch of what was built";
@@ -157,7 +159,8 @@ TEST(Documentation, SupersededDecisionsLinkALaterOne) {
 
 TEST(Documentation, DecisionsAreNumberedWithoutGaps) {
   std::set<int> numbers;
-  for (const fs::directory_entry& entry : fs::directory_iterator(kRoot / "docs" / "decisions"))
+  for (const fs::directory_entry& entry :
+       fs::directory_iterator(kProjectRoot / "docs" / "decisions"))
     EXPECT_TRUE(numbers.insert(std::stoi(entry.path().filename().string())).second) << entry.path();
   ASSERT_FALSE(numbers.empty());
   EXPECT_EQ(static_cast<std::size_t>(*numbers.rbegin()), numbers.size());

@@ -17,7 +17,7 @@ using support::extended_eigenvalues;
 using support::random_matrix;
 using support::random_rotation;
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kRoundoff = std::numeric_limits<double>::epsilon();
 
 // U J U^-1 as the product of U and J U^-1 with integers, so that it is exactly defective.
 std::vector<Matrix> jordan_factors(int n) {
@@ -46,8 +46,8 @@ TEST(ProductEigenvalues, DefectiveOnesAreWithinALargeError) {
     for (const Eigenvalue& value : values) {
       EXPECT_LE(std::abs(value.value - 1.0), value.error);
       // No bound is smaller than what the last digit of the product does to a Jordan block.
-      EXPECT_GE(value.error, 0.1 * std::pow(kEpsilon, 1.0 / n));
-      EXPECT_LE(value.error, 1e4 * std::pow(kEpsilon, 1.0 / n));
+      EXPECT_GE(value.error, 0.1 * std::pow(kRoundoff, 1.0 / n));
+      EXPECT_LE(value.error, 1e4 * std::pow(kRoundoff, 1.0 / n));
     }
   }
 }
@@ -107,7 +107,7 @@ TEST(ProductEigenvalues, ANilpotentProductKnownToRoundingIsWithinItsError) {
     const std::vector<Eigenvalue> values = product_eigenvalues(factors);
     EXPECT_GE(exact_zeros(values), 1);
     EXPECT_LE(compare(values, extended_eigenvalues(factors)).of_error, 1.0);
-    for (const Eigenvalue& value : values) EXPECT_LE(value.error, 100.0 * std::cbrt(kEpsilon));
+    for (const Eigenvalue& value : values) EXPECT_LE(value.error, 100.0 * std::cbrt(kRoundoff));
   }
 }
 

@@ -92,7 +92,7 @@ int compare_with_run(const Scene& scene, const std::string& parameter, const Orb
   return 1;
 }
 
-struct Case {
+struct WindowCase {
   std::string name;
   Scene scene;
   std::string parameter;
@@ -103,7 +103,7 @@ struct Case {
 
 class ChatterWindows : public testing::TestWithParam<int> {};
 
-Case case_of(int which) {
+WindowCase case_of(int which) {
   switch (which) {
     case 0:
       return {"oscillator",
@@ -139,7 +139,7 @@ Case case_of(int which) {
 }
 
 TEST_P(ChatterWindows, CrowdUpToTheCompletionInTheRatioOfTheClosedForm) {
-  const Case test = case_of(GetParam());
+  const WindowCase test = case_of(GetParam());
   SCOPED_TRACE(test.name);
   const OrbitBranches traced = support::trace_from_runs(test.scene, test.parameter, test.range);
   int completions = 0, runs = 0;

@@ -20,7 +20,7 @@
 namespace graze {
 namespace {
 
-struct Case {
+struct LayoutCase {
   const char* name;
   Scene scene;
   const char* parameter;
@@ -29,12 +29,12 @@ struct Case {
 };
 
 // Names tests.
-void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
+void PrintTo(const LayoutCase& one, std::ostream* out) { *out << one.name; }
 
-class Layouts : public ::testing::TestWithParam<Case> {
+class Layouts : public ::testing::TestWithParam<LayoutCase> {
  protected:
   void SetUp() override {
-    const Case& one = GetParam();
+    const LayoutCase& one = GetParam();
     const SystemFamily family(one.scene, one.parameter);
     value_ = family.value();
     system_ = *family.at(value_);
@@ -103,7 +103,7 @@ TEST_P(Layouts, WriteAnOrbitAndTellItAgain) {
 }
 
 TEST_P(Layouts, HaveTheDerivativesOfTheirEquations) {
-  const Case& one = GetParam();
+  const LayoutCase& one = GetParam();
   const ZeroProblem& zero = problem().problem();
   const auto at = zero.evaluate(u(), std::array{value_});
   ASSERT_TRUE(at);
@@ -162,23 +162,25 @@ TEST_P(Layouts, SeeAnOrbitTwiceRound) {
 INSTANTIATE_TEST_SUITE_P(
     Of, Layouts,
     ::testing::Values(
-        Case{"one impact", support::shipped_scene("05_wagg_one_mode"), "forcing.frequency", 1, 1},
-        Case{"four modes",
-             support::shipped_scene("02_wagg_momentum", {"beam.modes=4", "forcing.frequency=60"}),
-             "stop.gap", 1, 1},
-        Case{"two impacts", support::shipped_scene("04_impact_oscillator"), "forcing.frequency", 2,
-             2},
-        Case{"a spring and a dashpot", support::shipped_scene("12_spring_dashpot_oscillator"),
-             "forcing.frequency", 1, 1},
-        Case{"three contacts", support::shipped_scene("12_spring_dashpot_oscillator"),
-             "forcing.amplitude", 3, 3},
-        Case{"one direction held", support::shipped_scene("08_preloaded_oscillator"),
-             "forcing.frequency"},
-        Case{"one of two held", support::shipped_scene("09_soft_stop_two_modes"),
-             "forcing.frequency"},
-        Case{"two stops closed", sticking_case("two_stops3"), "stop.1.gap"},
-        Case{"held against a dashpot", support::held_against_dashpot(), "stop.2.gap", 0, 0, 1e-6,
-             1e-5}));
+        LayoutCase{"one impact", support::shipped_scene("05_wagg_one_mode"), "forcing.frequency", 1,
+                   1},
+        LayoutCase{
+            "four modes",
+            support::shipped_scene("02_wagg_momentum", {"beam.modes=4", "forcing.frequency=60"}),
+            "stop.gap", 1, 1},
+        LayoutCase{"two impacts", support::shipped_scene("04_impact_oscillator"),
+                   "forcing.frequency", 2, 2},
+        LayoutCase{"a spring and a dashpot", support::shipped_scene("12_spring_dashpot_oscillator"),
+                   "forcing.frequency", 1, 1},
+        LayoutCase{"three contacts", support::shipped_scene("12_spring_dashpot_oscillator"),
+                   "forcing.amplitude", 3, 3},
+        LayoutCase{"one direction held", support::shipped_scene("08_preloaded_oscillator"),
+                   "forcing.frequency"},
+        LayoutCase{"one of two held", support::shipped_scene("09_soft_stop_two_modes"),
+                   "forcing.frequency"},
+        LayoutCase{"two stops closed", sticking_case("two_stops3"), "stop.1.gap"},
+        LayoutCase{"held against a dashpot", support::held_against_dashpot(), "stop.2.gap", 0, 0,
+                   1e-6, 1e-5}));
 
 }  // namespace
 }  // namespace graze

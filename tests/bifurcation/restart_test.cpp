@@ -11,7 +11,7 @@
 namespace graze {
 namespace {
 
-constexpr const char* kFrequency = "forcing.frequency";
+constexpr const char* kFrequencyName = "forcing.frequency";
 
 BranchOptions between(double from, double to) {
   BranchOptions options;
@@ -26,15 +26,15 @@ OrbitBranches again(const Scene& scene, const BranchOptions& options, const Spec
                     bool switched = false) {
   BranchOptions only = options;
   only.start = BranchStart{from, true, switched};
-  return trace_orbits(SystemFamily(with_parameter(scene, kFrequency, from.values[0]), kFrequency),
-                      only);
+  return trace_orbits(
+      SystemFamily(with_parameter(scene, kFrequencyName, from.values[0]), kFrequencyName), only);
 }
 
 // Fold, doublings, tori and grazings of the two-mode beam: each leads to a branch that has it.
 TEST(Restart, EverySpecialPointIsFoundAgainFromItself) {
   const Scene scene = support::shipped_scene("05_wagg_one_mode", {"beam.modes=2", "stop.gap=2e-3"});
   const BranchOptions options = between(42.0, 50.0);
-  const OrbitBranches first = trace_orbits(SystemFamily(scene, kFrequency), options);
+  const OrbitBranches first = trace_orbits(SystemFamily(scene, kFrequencyName), options);
   const std::vector<SpecialOrbit> points = special_orbits(first, assemble(scene));
   ASSERT_GE(points.size(), 8u);
   for (const SpecialOrbit& point : points) {
@@ -56,7 +56,7 @@ TEST(Restart, ABranchPointLeadsBothWays) {
   options.impacts = 2;
   options.finder.from_random = true;
   options.start_values = 0;
-  const OrbitBranches first = trace_orbits(SystemFamily(scene, kFrequency), options);
+  const OrbitBranches first = trace_orbits(SystemFamily(scene, kFrequencyName), options);
   const auto crossings = support::special_points(first, SpecialKind::kBranchPoint);
   ASSERT_EQ(crossings.size(), 2u);
   const auto asymmetry = [](const OrbitBranchPoint& point) {
@@ -93,15 +93,15 @@ TEST(Restart, ALocusIsTracedAgainFromItsSpecialPoint) {
   options.second_to = 1.3e-3;
   options.slices = 2;
   options.kinds = {OrbitLocusKind::kPeriodDoubling};
-  const OrbitLoci first = trace_loci(scene, kFrequency, "stop.gap", options);
+  const OrbitLoci first = trace_loci(scene, kFrequencyName, "stop.gap", options);
   const std::vector<SpecialOrbit> points = special_orbits(first);
   ASSERT_EQ(points.size(), 1u);
   const double frequency = points[0].values[0], gap = points[0].values[1];
   const System there =
-      assemble(with_parameter(with_parameter(scene, kFrequency, frequency), "stop.gap", gap));
+      assemble(with_parameter(with_parameter(scene, kFrequencyName, frequency), "stop.gap", gap));
   options.start = locus_start(there, points[0], frequency, gap);
   ASSERT_TRUE(options.start);
-  const OrbitLoci found = trace_loci(scene, kFrequency, "stop.gap", options);
+  const OrbitLoci found = trace_loci(scene, kFrequencyName, "stop.gap", options);
   ASSERT_EQ(found.loci.size(), 1u);
   EXPECT_EQ(found.slices, 0);
   ASSERT_EQ(found.loci[0].special.size(), 1u);
@@ -114,7 +114,7 @@ TEST(Restart, AVirtualPointIsRefusedInWords) {
   const Scene scene = support::shipped_scene("05_wagg_one_mode", {});
   BranchOptions options = between(15.0, 25.0);
   options.keep_virtual = true;
-  const OrbitBranches first = trace_orbits(SystemFamily(scene, kFrequency), options);
+  const OrbitBranches first = trace_orbits(SystemFamily(scene, kFrequencyName), options);
   int virtual_points = 0;
   for (const SpecialOrbit& point : special_orbits(first, assemble(scene))) {
     if (point.kind != SpecialKind::kFold) continue;

@@ -18,7 +18,7 @@ namespace {
 using support::Real;
 
 // Unit mass, frequency and force; its stop at `gap`.
-struct Oscillator {
+struct SurveyedOscillator {
   Real ratio, gap, at_rest, falling;  // r = at_rest - falling v
 
   // Impact speeds at a constant r, or nothing: NaN.
@@ -74,7 +74,7 @@ int positive_segments(const OrbitBranches& result, double value) {
 }
 
 TEST(SpeedDependentRestitution, EveryOrbitIsTracedWhateverTheStep) {
-  const Oscillator oscillator{0.05L, 0.15L, 0.9L, 0.12L};
+  const SurveyedOscillator oscillator{0.05L, 0.15L, 0.9L, 0.12L};
   for (const double max_step : {0.0, 0.01, 2.8}) {
     const OrbitBranches result = traced(max_step);
     EXPECT_EQ(result.sought.left_out, 1);

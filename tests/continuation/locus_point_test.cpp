@@ -17,7 +17,6 @@ using support::plane;
 using support::plane_map;
 using support::traced;
 
-constexpr double kPi = std::numbers::pi;
 using Labels = std::vector<std::string>;
 
 // x -> x + p + c q^2 - x^2 folds at x = 0, p = -c q^2, multiplier 1 - 2 x; beside it y -> -(1 + q +

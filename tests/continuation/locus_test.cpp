@@ -179,7 +179,7 @@ TEST(Loci, FoldsMeetInACusp) {
 // x -> p x (1 - (1 - q) x - q y), y -> x: at x = 1 - 1/p the multipliers have the product q (p - 1)
 // and the sum 1 - (p - 1)(1 - q). With q = 1 it is the delayed logistic map, whose torus at p = 2
 // has the angle pi/3 (Kuznetsov, Elements of Applied Bifurcation Theory, section 4.7).
-Map delayed_logistic() {
+Map delayed_logistic_in_two() {
   return support::plane_map([](const auto& x, const auto& p, const auto& q) {
     using S = std::decay_t<decltype(p)>;
     return std::vector<S>{p * x[0] * (S(1.0) - (S(1.0) - q) * x[0] - q * x[1]), x[0]};
@@ -187,7 +187,7 @@ Map delayed_logistic() {
 }
 
 TEST(Loci, DelayedLogisticMapHasItsToriAndDoublings) {
-  const ZeroProblem problem = periodic_points(delayed_logistic());
+  const ZeroProblem problem = periodic_points(delayed_logistic_in_two());
   const LocusOptions options = plane(1.2, 6.0, -0.5, 2.0);
   const LocusStart start{LocusKind::kTorus, Vector{{0.5, 0.5}}, 2.0, 1.0,
                          std::polar(1.0, kPi / 3.0)};

@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <numbers>
 
 #include "graze/base/errors.hpp"
 #include "graze/fem/detail/shift_invert.hpp"
@@ -13,7 +14,6 @@
 namespace graze {
 namespace {
 
-constexpr double kPi = 3.141592653589793;
 using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
 // Cubic Hermite elements of length h of a beam without mass, EI = 1, with masses on displacements
@@ -199,10 +199,13 @@ void expect_sparse_chain(int masses, int stride, int count) {
   EXPECT_EQ(modes.is_dense, count == masses);
   EXPECT_EQ(modes.massless, n - masses);
   for (int j = 1; j <= count; ++j) {
-    const double w = 2.0 * std::sqrt(k / (stride * m)) * std::sin(j * kPi / (2.0 * (masses + 1)));
+    const double w =
+        2.0 * std::sqrt(k / (stride * m)) * std::sin(j * std::numbers::pi / (2.0 * (masses + 1)));
     EXPECT_NEAR(modes.omega[j - 1] / w, 1.0, 1e-10) << j;
     const double size = std::sqrt(2.0 / (m * (masses + 1)));
-    const auto phi = [&](int mass) { return size * std::sin(mass * j * kPi / (masses + 1)); };
+    const auto phi = [&](int mass) {
+      return size * std::sin(mass * j * std::numbers::pi / (masses + 1));
+    };
     // Straight between two masses.
     const double expected = phi(before) + (phi(before + 1) - phi(before)) / stride;
     EXPECT_NEAR(std::abs(modes.shapes(loaded, j - 1)), std::abs(expected), 1e-9 * size) << j;
@@ -225,7 +228,9 @@ TEST(MasslessModes, TheNextOneAndAMissingOneAreMet) {
   SparseCholesky factors(chain.stiffness);
   ASSERT_TRUE(factors.factorise(chain.stiffness));
   const Matrix shapes = lowest_modes(chain, 6).shapes;
-  const auto square = [](int j) { return std::pow(2.0 * std::sin(j * kPi / 402.0), 2.0); };
+  const auto square = [](int j) {
+    return std::pow(2.0 * std::sin(j * std::numbers::pi / 402.0), 2.0);
+  };
   const auto next = nearest_other(factors, chain.mass, 200, shapes, 0.0);
   ASSERT_TRUE(next);
   EXPECT_NEAR(*next / square(7), 1.0, 1e-5);

@@ -32,7 +32,7 @@ class MatrixDialects : public testing::Test {
 };
 
 // 3000 -1000 0; -1000 2000 -500; 0 -500 1500
-Matrix chain() {
+Matrix dialect_chain() {
   return (Matrix(3, 3) << 3000, -1000, 0, -1000, 2000, -500, 0, -500, 1500).finished();
 }
 
@@ -40,13 +40,13 @@ TEST_F(MatrixDialects, DmigIsPartedByTabs) {
   const std::string tabs =
       "DMIG\tKAAX\t0\t6\t2\t0\nDMIG\tKAAX\t1\t3\t\t1\t3\t3000.\n\t2\t3\t-1000.\t\n"
       "DMIG\tKAAX\t2\t3\t\t2\t3\t2000.000000\n\t3\t3\t-500.\t\t\nDMIG\tKAAX\t3\t3\t\t3\t3\t1500.\n";
-  EXPECT_EQ(read("k.bdf", tabs), chain());
-  EXPECT_EQ(read("k.bdf", "\xEF\xBB\xBF" + tabs), chain());
+  EXPECT_EQ(read("k.bdf", tabs), dialect_chain());
+  EXPECT_EQ(read("k.bdf", "\xEF\xBB\xBF" + tabs), dialect_chain());
   EXPECT_EQ(read("k.bdf",
                  "DMIG\tKAAX\t0\t6\t2\t0\nDMIG*\tKAAX\t1\t3\n*\t1\t3\t3000.\n*\t2\t3\t-1000.\t\n"
                  "DMIG*\tKAAX\t2\t3\t\n*\t2\t3\t2000.\n*\t3\t3\t-500.\n"
                  "DMIG*\tKAAX\t3\t3\t\n*\t3\t3\t1500.\n"),
-            chain());
+            dialect_chain());
   // Columns of blanks with a tab behind the last.
   EXPECT_EQ(read("k.bdf",
                  "DMIG    K              0       6       2       0\t\n"
@@ -62,9 +62,9 @@ TEST_F(MatrixDialects, ByteOrderMarksAndBlankLinesComeFirst) {
   const std::string entries = "1 1 3000\n2 1 -1000\n2 2 2000\n3 2 -500\n3 3 1500\n";
   const std::string market = "%%MatrixMarket matrix coordinate real symmetric\n3 3 5\n" + entries;
   for (const char* before : {"\n", "\r\n \t\r\n", "\xEF\xBB\xBF", "\xEF\xBB\xBF\n"}) {
-    EXPECT_EQ(read("k.mtx", before + market), chain());
-    EXPECT_EQ(read("k.mtx", before + entries), chain());
-    EXPECT_EQ(read("k.sti", before + entries), chain());
+    EXPECT_EQ(read("k.mtx", before + market), dialect_chain());
+    EXPECT_EQ(read("k.mtx", before + entries), dialect_chain());
+    EXPECT_EQ(read("k.sti", before + entries), dialect_chain());
   }
   for (const char* before : {"\xFF\xFE", "\xFE\xFF"})
     EXPECT_EQ(refusal("k.mtx", before + entries),

@@ -40,7 +40,7 @@ class MatrixFiles : public testing::Test {
 };
 
 // 2 -1 0; -1 2 -1; 0 -1 1.5
-Matrix chain() {
+Matrix written_chain() {
   Matrix k = Matrix::Zero(3, 3);
   k << 2, -1, 0, -1, 2, -1, 0, -1, 1.5;
   return k;
@@ -52,15 +52,15 @@ TEST_F(MatrixFiles, MatrixMarketInAllItsForms) {
       Matrix(read("a.mtx",
                   "%%MatrixMarket matrix coordinate real symmetric\n% said\n\n3 3 5\n" + entries)
                  .matrix),
-      chain());
+      written_chain());
   EXPECT_EQ(Matrix(read("b.mtx", "%%matrixmarket MATRIX Coordinate Real General\n3 3 7\n" +
                                      entries + "1 2 -1\n2 3 -1\n")
                        .matrix),
-            chain());
+            written_chain());
   EXPECT_EQ(Matrix(read("c.mtx",
                         "%%MatrixMarket matrix array real symmetric\n3 3\n2\n-1\n0\n2\n-1\n1.5\n")
                        .matrix),
-            chain());
+            written_chain());
   EXPECT_EQ(
       Matrix(
           read("d.mtx", "%%MatrixMarket matrix array integer general\n2 2\n4\n1\n1\n3\n").matrix),
@@ -115,7 +115,7 @@ TEST_F(MatrixFiles, AbaqusNamesItsRows) {
   EXPECT_EQ(held.held, (std::vector<DofLabel>{{1, 1}}));
   const LabelledMatrix listed =
       read("k.mtx", " 1 1 2.0\n 2 1 -1.0\n 2 2 2.0\n 3 2 -1.0\n 3 3 1.5\n 1 2 -1.0\n 2 3 -1.0\n");
-  EXPECT_EQ(Matrix(listed.matrix), chain());
+  EXPECT_EQ(Matrix(listed.matrix), written_chain());
   EXPECT_FALSE(listed.has_names);
 }
 
@@ -139,7 +139,7 @@ TEST_F(MatrixFiles, CalculixWithItsNames) {
       write("m.sti", "  1  1  2.0D0\n  1  2  -1.\n  2  2  2.\n  2  3  -1.\n  3  3  1.5\n");
   const auto names = write("m.dof", "4.1\n4.2\n9.1\n");
   const StructuralMatrices structure = read_structure({mass, stiffness, {}, names});
-  EXPECT_EQ(Matrix(structure.stiffness), chain());
+  EXPECT_EQ(Matrix(structure.stiffness), written_chain());
   EXPECT_EQ(structure.labels, (std::vector<DofLabel>{{4, 1}, {4, 2}, {9, 1}}));
   const StructuralMatrices held = read_structure({mass, stiffness, {}, names}, {{4, 2}});
   EXPECT_EQ(Matrix(held.stiffness), (Matrix(2, 2) << 2, 0, 0, 1.5).finished());
@@ -206,8 +206,8 @@ std::string from_hex(const std::string& digits) {
   return bytes;
 }
 
-// chain() as scipy.sparse.save_npz writes it (scipy 1.10.1, numpy 1.24.2): csr, with deflated
-// members.
+// written_chain() as scipy.sparse.save_npz writes it (scipy 1.10.1, numpy 1.24.2): csr, with
+// deflated members.
 const char* const kSaved =
     "504b03042d000000080000002100eb7c4e85ffffffffffffffff0b001400696e64696365732e6e707901001000"
     "9c000000000000004f000000000000009bec17ea1b10c9c850c650ad9e925a9c5ca46ea5a06e9369a2aea3a09e"
@@ -275,8 +275,8 @@ const char* const kDense =
     "000000000100010033000000d70000000000";
 
 TEST_F(MatrixFiles, ArchivesOfNumpyAndScipy) {
-  EXPECT_EQ(Matrix(read("a.npz", from_hex(kSaved)).matrix), chain());
-  EXPECT_EQ(Matrix(read("b.npz", from_hex(kCoordinates)).matrix), chain());
+  EXPECT_EQ(Matrix(read("a.npz", from_hex(kSaved)).matrix), written_chain());
+  EXPECT_EQ(Matrix(read("b.npz", from_hex(kCoordinates)).matrix), written_chain());
   EXPECT_EQ(Matrix(read("c.npz", from_hex(kDense)).matrix),
             (Matrix(2, 2) << 2, -1, -1, 1.5).finished());
   EXPECT_EQ(refusal("d.npz", "no archive").substr(0, 27), "d.npz: it is no .npz archiv");

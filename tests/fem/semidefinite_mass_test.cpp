@@ -4,14 +4,13 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "graze/base/errors.hpp"
 #include "graze/fem/structural_modes.hpp"
 
 namespace graze {
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 // Bars of elements with two nodes and one point of integration, rho A = EA = 1, one behind the
 // other and not joined, free at their ends, with a bedding `ground` (1/s^2) that is integrated
@@ -50,7 +49,8 @@ std::vector<double> exact_frequencies(int nodes, const std::vector<double>& leng
   std::vector<double> all;
   for (const double length : lengths)
     for (int k = 0; k + 1 < nodes; ++k) {
-      const double w = 2.0 * (nodes - 1) / length * std::tan(0.5 * k * kPi / (nodes - 1));
+      const double w =
+          2.0 * (nodes - 1) / length * std::tan(0.5 * k * std::numbers::pi / (nodes - 1));
       all.push_back(std::sqrt(ground + w * w));
     }
   std::sort(all.begin(), all.end());

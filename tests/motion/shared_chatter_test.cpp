@@ -20,14 +20,14 @@ using support::record_run;
 using support::RecordedRun;
 using support::state_of;
 
-constexpr double kGravity = 9.81;
+constexpr double kChatterGravity = 9.81;
 
 // A rigid bar that falls (q1) and turns (q2) onto supports at +s and -s, the second lower by `gap`:
 // unit mass and moment of inertia. Rows (1, +-s): an impulse on one support that undoes the speed v
 // there throws the bar off the other at D v, D = (1 - s^2)/(1 + s^2).
 System bar(double s, double gap, double restitution) {
   System system{Vector::Zero(2), NaturalModes{Vector::Zero(2)}, {}};
-  system.modal().load = Vector{{kGravity, 0.0}};
+  system.modal().load = Vector{{kChatterGravity, 0.0}};
   for (const double side : {s, -s}) {
     const Vector row{{1.0, side}};
     system.stops.push_back(
@@ -47,13 +47,14 @@ TEST(SharedChatter, OfARockingBarEndsAtTheSumOfItsSeries) {
     const RecordedRun run = record_run(system, support::rest(system), for_seconds(20.0));
     EXPECT_EQ(run.result.outcome, RunOutcome::kReachedEnd);
     EXPECT_EQ(run.result.stuck, (std::vector<int>{0, 1}));
-    const double fall = std::sqrt(2.0 * gap / (kGravity * (1.0 - ratio)));
+    const double fall = std::sqrt(2.0 * gap / (kChatterGravity * (1.0 - ratio)));
     EXPECT_NEAR(run.events.back().time, fall * (1.0 + ratio) / (1.0 - ratio), 1e-9 * fall);
     // Of symmetry each support carries half of the weight; the force is in units of |row|^2.
     for (const double force : run.result.forces)
-      EXPECT_NEAR(force, 0.5 * kGravity, 1e-12 * kGravity);
+      EXPECT_NEAR(force, 0.5 * kChatterGravity, 1e-12 * kChatterGravity);
     // All of the height is lost: the bar ends lower at its middle by half of the gap.
-    EXPECT_NEAR(run.result.totals.energy_lost, 0.5 * kGravity * gap, 1e-13 * kGravity * gap);
+    EXPECT_NEAR(run.result.totals.energy_lost, 0.5 * kChatterGravity * gap,
+                1e-13 * kChatterGravity * gap);
     EXPECT_LT(run.result.totals.impacts, 2000);
   }
 }
@@ -69,7 +70,7 @@ TEST(SharedChatter, OfABarOnNearSupportsEnds) {
     EXPECT_EQ(run.result.stuck, (std::vector<int>{0, 1})) << "r = " << restitution;
     EXPECT_LT(run.result.totals.impacts, 100'000) << "r = " << restitution;
     // At rest 0.1 m lower all that it had is lost.
-    EXPECT_NEAR(run.result.totals.energy_lost, 0.5 * (0.01 + 0.0025) + kGravity * 0.1, 1e-9);
+    EXPECT_NEAR(run.result.totals.energy_lost, 0.5 * (0.01 + 0.0025) + kChatterGravity * 0.1, 1e-9);
   }
 }
 
@@ -81,14 +82,14 @@ TEST(SharedChatter, OfARockingBarTakesTheTimeOfItsSeries) {
                         rows,
                         Vector::Zero(2),
                         Vector{{0.0, -speed}},
-                        Vector{{kGravity, kGravity}},
+                        Vector{{kChatterGravity, kChatterGravity}},
                         {Restitution(0.0), Restitution(0.0)}};
-  const double fall = 2.0 * speed / (kGravity * (1.0 - ratio));
+  const double fall = 2.0 * speed / (kChatterGravity * (1.0 - ratio));
   const std::optional<double> duration = time_to_rest(chatter, 1.1 * speed);
   ASSERT_TRUE(duration);
   EXPECT_NEAR(*duration, fall / (1.0 - ratio), 2e-6 * fall);
   EXPECT_FALSE(time_to_rest(chatter, 0.9 * speed)) << "it comes down at `speed`";
-  chatter.pushes = Vector{{kGravity, -kGravity}};
+  chatter.pushes = Vector{{kChatterGravity, -kChatterGravity}};
   EXPECT_FALSE(time_to_rest(chatter, 1.1 * speed)) << "the second is pulled away from";
 }
 

@@ -1,11 +1,11 @@
 // The closed form of (p, 1) orbits and what is made of it, against tests/reference (50 digits).
 #include "graze/orbit/closed_form/closed_form.hpp"
 #include "graze/assembly/assembly.hpp"
+#include "graze/base/angle.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "graze/flow/exact/extended.hpp"
 #include "graze/orbit/problem/detail/solve.hpp"
@@ -15,8 +15,6 @@
 
 namespace graze {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 struct Case {
   System system;

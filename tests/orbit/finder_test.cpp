@@ -2,13 +2,13 @@
 #include "graze/orbit/search/finder.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
+#include "graze/base/angle.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "graze/orbit/closed_form/closed_form.hpp"
 #include "graze/orbit/problem/detail/solve.hpp"
@@ -18,8 +18,6 @@
 
 namespace graze {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 // x'' + .1 x' + x = cos(W t), r = .8: the oscillator of scene 04.
 System fruit_fly(double frequency, double gap) {

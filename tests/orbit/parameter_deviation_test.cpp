@@ -22,7 +22,7 @@ SegmentOptions segment_options(const System& system) {
   return options;
 }
 
-Vector stacked(const State& state) {
+Vector state_vector(const State& state) {
   Vector x(2 * state.q.size());
   x << state.q, state.qdot;
   return x;
@@ -36,7 +36,7 @@ Vector end_of(const System& system, const State& start, int periods) {
   const TrajectorySegment segment =
       pass(system, started(system, start), {periods, 0.0}, segment_options(system));
   EXPECT_EQ(segment.failure, "");
-  return stacked({segment.end.q, segment.end.qdot});
+  return state_vector({segment.end.q, segment.end.qdot});
 }
 
 // At least one stuck phase ends within the segment, so that its release is passed too.
@@ -58,7 +58,7 @@ void expect_derivative(const Scene& scene, const std::string& parameter, int per
   const double step = relative_step * (value == 0.0 ? 1.0 : value);
   const Vector expected = support::central_difference(
       [&](double p) { return end_of(*family.at(p), start, periods); }, value, step);
-  const Vector found = stacked(deviation.value());
+  const Vector found = state_vector(deviation.value());
   EXPECT_LE((found - expected).cwiseAbs().maxCoeff(), 2e-7 * expected.cwiseAbs().maxCoeff())
       << "found    " << found.transpose() << "\nexpected " << expected.transpose();
 }

@@ -8,14 +8,13 @@
 #include <numbers>
 
 #include "graze/assembly/assembly.hpp"
+#include "graze/base/angle.hpp"
 #include "graze/orbit/search/finder.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
 
 namespace graze {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 FinderOptions searching(int period, std::optional<int> impacts) {
   FinderOptions options;

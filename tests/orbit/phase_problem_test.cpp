@@ -2,11 +2,11 @@
 // impact it is the closed form, and it says where it does not hold.
 #include "graze/orbit/closed_form/detail/phase_problem.hpp"
 #include "graze/assembly/assembly.hpp"
+#include "graze/base/angle.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "graze/contact/detail/impulse.hpp"
 #include "graze/flow/exact/detail/exact_flow.hpp"
@@ -18,8 +18,6 @@
 
 namespace graze {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 // Every kind of mode at once: oscillatory, overdamped, critically damped, nearly resonant with the
 // forcing, a soft one; with a load and two stops.

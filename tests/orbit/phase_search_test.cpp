@@ -1,12 +1,12 @@
 // Searching the torus of impact phases: starts, deflation, rounds, the global stage.
 #include "graze/orbit/search/detail/phase_search.hpp"
 #include "graze/assembly/assembly.hpp"
+#include "graze/base/angle.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "graze/orbit/closed_form/closed_form.hpp"
 #include "graze/orbit/problem/detail/solve.hpp"
@@ -16,8 +16,6 @@
 
 namespace graze {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 PhaseSearchOptions options_for(const System& system) {
   PhaseSearchOptions options;

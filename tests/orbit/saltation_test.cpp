@@ -3,9 +3,9 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <numbers>
 
 #include "graze/assembly/assembly.hpp"
+#include "graze/base/angle.hpp"
 #include "graze/flow/variation/detail/transition.hpp"
 #include "graze/motion/detail/motion.hpp"
 #include "graze/orbit/closed_form/closed_form.hpp"
@@ -19,8 +19,6 @@
 
 namespace graze {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 Vector stacked(const State& state) {
   Vector y(2 * state.q.size());

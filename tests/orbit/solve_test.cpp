@@ -1,11 +1,11 @@
 // Newton for good guesses, Levenberg-Marquardt (Ceres) for poor ones; the closed form is the judge.
 #include "graze/orbit/problem/detail/solve.hpp"
 #include "graze/assembly/assembly.hpp"
+#include "graze/base/angle.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "graze/orbit/closed_form/closed_form.hpp"
 #include "graze/orbit/search/detail/rough_guess.hpp"
@@ -14,8 +14,6 @@
 
 namespace graze {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 System reference_system(const std::string& name) {
   return assemble(support::reference_scene("orbits/" + name));

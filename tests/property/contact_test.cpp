@@ -15,11 +15,11 @@ using property::Summary;
 
 // Of a length: some 5000 roundings. The roundings of the phases of the quickest modes are among
 // them, up to 700 rad a period.
-constexpr double kOfLength = 1e-12;
+constexpr double kContactOfLength = 1e-12;
 constexpr double kOfForce = 1e-12;
 // A dot product of at most eight terms, through the reduced coordinates and back. (The gap has the
 // wider bound: where a soft structure is held, its place of rest is far beyond its motion.)
-constexpr double kOfSpeed = 1e-13;
+constexpr double kContactOfSpeed = 1e-13;
 
 // Which stops are closed, as told by the events.
 class ClosedStops {
@@ -92,17 +92,18 @@ class Watch {
       const double gap = stop.gap - stop.row.dot(sample.state.q);
       if (!smallest_ || gap < *smallest_) smallest_ = gap;
       length_ = std::max(length_, length);
-      require("penetration/length", relative(-gap, length), kOfLength, sample, i);
+      require("penetration/length", relative(-gap, length), kContactOfLength, sample, i);
       if (!closed_.holds(i)) {
         if (sample.forces[i] != 0.0)
           RC_FAIL(fmt::format("force {} at open stop {}, t = {:.17g} s", sample.forces[i], i + 1,
                               sample.time));
         continue;
       }
-      require("gap while stuck/length", relative(std::abs(gap), length), kOfLength, sample, i);
+      require("gap while stuck/length", relative(std::abs(gap), length), kContactOfLength, sample,
+              i);
       const double speed = stop.row.lpNorm<1>() * sample.state.qdot.lpNorm<Eigen::Infinity>();
       require("speed while stuck/speed", relative(std::abs(stop.row.dot(sample.state.qdot)), speed),
-              kOfSpeed, sample, i);
+              kContactOfSpeed, sample, i);
     }
     look_at_forces(sample);
   }
@@ -112,7 +113,7 @@ class Watch {
     RC_ASSERT(run.totals.smallest_gap.has_value() == !system_.stops.empty());
     if (!smallest_) return;
     summary_.require("smallest gap missed by/length",
-                     relative(*run.totals.smallest_gap - *smallest_, length_), kOfLength,
+                     relative(*run.totals.smallest_gap - *smallest_, length_), kContactOfLength,
                      "at the end");
   }
   long long samples() const { return samples_; }

@@ -11,7 +11,7 @@
 namespace graze {
 namespace {
 
-constexpr const char* kScene = R"([modal]
+constexpr const char* kSpecialScene = R"([modal]
 frequencies = [1.0, 2.5]
 participation = [1.0, 0.3]
 
@@ -32,7 +32,7 @@ restitution = 0.0
 side = "below"
 )";
 
-Scene two_modes() { return parse_scene(kScene, "two_modes.toml"); }
+Scene two_modes() { return parse_scene(kSpecialScene, "two_modes.toml"); }
 
 State state(double a) { return {Vector{{a, 1.0 / 3.0}}, Vector{{-a / 7.0, 5e-324}}}; }
 

@@ -8,7 +8,7 @@
 namespace graze {
 namespace {
 
-int entries_of(const ScratchFolder& folder) {
+int files_in(const ScratchFolder& folder) {
   int entries = 0;
   for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.string()))
     ++entries;
@@ -45,7 +45,7 @@ TEST(Spool, LeavesNothingInItsFolder) {
   const ScratchFolder scratch;
   Spool spool(scratch.string());
   spool.append(std::string(5'000'000, 'x'));
-  EXPECT_EQ(entries_of(scratch), 0);
+  EXPECT_EQ(files_in(scratch), 0);
 }
 
 TEST(Spool, NeedsItsFolderForLongTextsOnly) {

@@ -11,14 +11,14 @@
 namespace graze {
 namespace {
 
-const std::string kBeam =
+const std::string kHubBeam =
     "[beam]\nlength = 0.3\nyoungs_modulus = 205e9\nsecond_moment = 24.4e-14\ndensity = 8500\n"
     "area = 12.4e-6\nmodes = 2\n";
 const std::string kHub = "[hub]\nradius = 0.02\ninertia = 1e-3\n";
 const std::string kPulse = "torque = { kind = \"pulse\", amplitude = 1, duration = 0.05 }\n";
 
 template <typename F>
-std::string message_of(F&& f) {
+std::string refusal_of(F&& f) {
   try {
     f();
   } catch (const InputError& error) {
@@ -28,8 +28,8 @@ std::string message_of(F&& f) {
 }
 
 TEST(Hub, WhatItDoesNotNameIsAbsent) {
-  EXPECT_FALSE(parse_scene(kBeam, "s").hub);
-  const Scene scene = parse_scene(kBeam + kHub, "s");
+  EXPECT_FALSE(parse_scene(kHubBeam, "s").hub);
+  const Scene scene = parse_scene(kHubBeam + kHub, "s");
   EXPECT_EQ(scene.hub->radius, 0.02);
   EXPECT_EQ(scene.hub->inertia, 1e-3);
   EXPECT_FALSE(scene.hub->torque || scene.hub->friction);
@@ -40,7 +40,7 @@ TEST(Hub, WhatItDoesNotNameIsAbsent) {
 
 TEST(Hub, HasItsValues) {
   const Scene scene =
-      parse_scene(kBeam + kHub + kPulse +
+      parse_scene(kHubBeam + kHub + kPulse +
                       "equations = \"paper\"\ncentrifugal = false\nfriction = { coulomb = 0.01 }\n"
                       "[initial]\nangle = 0.5\nrate = -2\n",
                   "s");
@@ -57,7 +57,7 @@ TEST(Hub, HasItsValues) {
 
 TEST(Hub, TakesStopsAndFlowsWithSteps) {
   const Scene scene = parse_scene(
-      kBeam + kHub + "[gravity]\nacceleration = 9.81\n" +
+      kHubBeam + kHub + "[gravity]\nacceleration = 9.81\n" +
           "[[stop]]\nposition = 0.3\ngap = 0.01\nrestitution = 0.8\n[solver]\nflow = \"dopri5\"\n",
       "s");
   EXPECT_EQ(scene.stops.size(), 1u);
@@ -69,7 +69,7 @@ TEST(Hub, RandomOnesReadBack) {
   const auto number = [&] { return std::uniform_real_distribution<double>(0.0, 1.0)(random); };
   const auto chance = [&] { return number() < 0.5; };
   for (int k = 0; k < 200; ++k) {
-    Scene scene = parse_scene(kBeam, "s");
+    Scene scene = parse_scene(kHubBeam, "s");
     auto& beam = std::get<Beam>(scene.structure);
     if (chance()) beam.thickness = 0.01 * number() + 1e-4;
     if (chance()) {
@@ -125,7 +125,7 @@ TEST(Hub, RandomOnesReadBack) {
 
 TEST(Hub, SettingsReachItsNumbers) {
   const auto with = [](const std::string& setting) {
-    return parse_scene(kBeam + kHub + kPulse, "s", {setting});
+    return parse_scene(kHubBeam + kHub + kPulse, "s", {setting});
   };
   EXPECT_EQ(std::get<TorquePulse>(*with("hub.torque.amplitude=2").hub->torque).amplitude, 2.0);
   EXPECT_EQ(with("hub.radius=0").hub->radius, 0.0);
@@ -135,16 +135,16 @@ TEST(Hub, SettingsReachItsNumbers) {
   EXPECT_EQ(with("initial.rate=3").initial->rate, 3.0);
   const Scene table = with("hub.torque={kind=\"table\", times=[0, 1], values=[2, 0]}");
   EXPECT_EQ(std::get<TorqueTable>(*table.hub->torque).values, (std::vector<double>{2.0, 0.0}));
-  EXPECT_EQ(message_of([&] { with("hub.torque.duration=-1"); }),
+  EXPECT_EQ(refusal_of([&] { with("hub.torque.duration=-1"); }),
             "--set hub.torque.duration=-1: hub.torque.duration: -1 is not allowed, it must be "
             "a finite number greater than 0");
-  EXPECT_EQ(message_of([&] { with("hub.torque.amplitud=1"); }),
+  EXPECT_EQ(refusal_of([&] { with("hub.torque.amplitud=1"); }),
             "--set hub.torque.amplitud=1: hub.torque.amplitud: there is no such key, did you "
             "mean hub.torque.amplitude?");
 }
 
 TEST(Hub, ParametersAreItsNumbers) {
-  const Scene scene = parse_scene(kBeam + "thickness = 2e-3\n" + kHub + kPulse +
+  const Scene scene = parse_scene(kHubBeam + "thickness = 2e-3\n" + kHub + kPulse +
                                       "friction = { coulomb = 0.01 }\n[initial]\nangle = 1\n",
                                   "s");
   const std::pair<const char*, const char*> names[] = {
@@ -160,16 +160,16 @@ TEST(Hub, ParametersAreItsNumbers) {
       EXPECT_EQ(*find_parameter(direction, other), std::string(other) == name ? 1.0 : 0.0) << name;
     EXPECT_EQ(direction.initial->angle, 0.0);
   }
-  EXPECT_EQ(message_of([&] { with_parameter(scene, "hub.torque.duration", 0.0); }),
+  EXPECT_EQ(refusal_of([&] { with_parameter(scene, "hub.torque.duration", 0.0); }),
             "hub.torque.duration: 0 is not allowed, it must be a finite number greater than 0");
   EXPECT_EQ(find_parameter(scene, "initial.angle"), nullptr);
 }
 
 TEST(Hub, RulesHoldForScenesMadeInCode) {
-  Scene scene = parse_scene(kBeam + kHub + kPulse, "s");
+  Scene scene = parse_scene(kHubBeam + kHub + kPulse, "s");
   scene.origins = nullptr;
   const auto message = [](const Scene& changed) {
-    return message_of([&] { check_scene(changed); });
+    return refusal_of([&] { check_scene(changed); });
   };
   Scene changed = scene;
   changed.hub->torque = TorqueTable{};

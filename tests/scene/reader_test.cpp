@@ -21,7 +21,7 @@ const std::string kBeam =
     "area = 12.4e-6\nmodes = 4\n";
 const std::string kModal = "[modal]\nfrequencies = [1, 2.5]\n";
 
-std::string message_of(const std::string& text) {
+std::string reading_error(const std::string& text) {
   try {
     parse_scene(text, "s");
   } catch (const InputError& error) {
@@ -69,7 +69,7 @@ TEST(Reader, GravityIsAnyNumberAndNeedsInertia) {
             -9.81);
   const std::string ball = "[modal]\nfrequencies = [0.0]\ninertia = [1.0]\n";
   EXPECT_EQ(parse_scene(ball + "[gravity]\nacceleration = 10\n", "s").gravity->acceleration, 10.0);
-  EXPECT_EQ(message_of(kModal + "[gravity]\nacceleration = 0\n"),
+  EXPECT_EQ(reading_error(kModal + "[gravity]\nacceleration = 0\n"),
             "s:1:1: modal.inertia: the key is missing, [gravity] needs a list of numbers, one per "
             "mode");
 }
@@ -180,19 +180,19 @@ TEST(Reader, SceneErrorOfASceneMadeInCodeHasNoPlace) {
 
 // Whatever the text holds: one line, no control characters, no flood.
 TEST(Reader, MessagesAreSafeToPrint) {
-  EXPECT_EQ(message_of(kBeam + "discretisation = \"a\\nb\\\"c\\u0007\"\n"),
+  EXPECT_EQ(reading_error(kBeam + "discretisation = \"a\\nb\\\"c\\u0007\"\n"),
             "s:8:1: beam.discretisation: the string \"a\\nb\\\"c\\u0007\" is not allowed, it must "
             "be \"galerkin\" or \"collocation\"");
-  EXPECT_EQ(message_of(kBeam + "discretisation = \"" + std::string(1000, 'x') + "\"\n"),
+  EXPECT_EQ(reading_error(kBeam + "discretisation = \"" + std::string(1000, 'x') + "\"\n"),
             "s:8:1: beam.discretisation: the string \"" + std::string(60, 'x') +
                 "..\" is not allowed, it must be \"galerkin\" or \"collocation\"");
-  EXPECT_EQ(message_of("\"a\\nb.c\" = 1\n").substr(0, 17), "s:1:1: \"a\\nb.c\": ");
+  EXPECT_EQ(reading_error("\"a\\nb.c\" = 1\n").substr(0, 17), "s:1:1: \"a\\nb.c\": ");
 }
 
 TEST(Reader, CountsColumnsInCharacters) {
-  EXPECT_EQ(message_of("modal = { frequencies = [1], \"\xc3\xa4\xc3\xb6\" = 1 }\n").substr(0, 7),
+  EXPECT_EQ(reading_error("modal = { frequencies = [1], \"\xc3\xa4\xc3\xb6\" = 1 }\n").substr(0, 7),
             "s:1:30:");
-  EXPECT_EQ(message_of("title = '\xc3\xa4\xc3\xb6\x01'\n").substr(0, 7), "s:1:12:");
+  EXPECT_EQ(reading_error("title = '\xc3\xa4\xc3\xb6\x01'\n").substr(0, 7), "s:1:12:");
 }
 
 TEST(Reader, CollocationPointsAreEvenUnlessGiven) {

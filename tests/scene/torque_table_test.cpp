@@ -25,7 +25,7 @@ class TorqueFile {
 };
 
 // What follows the file's name.
-std::string message_of(const std::string& text) {
+std::string table_error(const std::string& text) {
   const TorqueFile file(text);
   try {
     read_torque_file(file.path());
@@ -61,35 +61,35 @@ TEST(TorqueTable, MayJump) {
 }
 
 TEST(TorqueTable, MistakesAreReportedWhereTheyStand) {
-  EXPECT_EQ(message_of(""), ":1:1: data: the file is empty; it needs rows of numbers");
-  EXPECT_EQ(message_of("time,torque\n"),
+  EXPECT_EQ(table_error(""), ":1:1: data: the file is empty; it needs rows of numbers");
+  EXPECT_EQ(table_error("time,torque\n"),
             ":1:1: data: there is no row of numbers below the column names");
-  EXPECT_EQ(message_of("0,1\n"),
+  EXPECT_EQ(table_error("0,1\n"),
             ":1:1: data: the table has 1 row of numbers, it must have at least two");
-  EXPECT_EQ(message_of("time,torque\n0,1\n"),
+  EXPECT_EQ(table_error("time,torque\n0,1\n"),
             ":1:1: data: the table has 1 row of numbers, it must have at least two");
-  EXPECT_EQ(message_of("0\n1\n"),
+  EXPECT_EQ(table_error("0\n1\n"),
             ":1:1: data: the table has 1 column, it must have two, time (s) and torque (N m)");
-  EXPECT_EQ(message_of("t,T,x\n0,1,2\n1,1,2\n"),
+  EXPECT_EQ(table_error("t,T,x\n0,1,2\n1,1,2\n"),
             ":1:1: data: the table has 3 columns, it must have two, time (s) and torque (N m)");
-  EXPECT_EQ(message_of("0,1\n0.1,1,2\n"), ":2:7: data: the row has 3 cells, line 1 has 2 columns");
-  EXPECT_EQ(message_of("t,T\n0,1\n0.1\n"),
+  EXPECT_EQ(table_error("0,1\n0.1,1,2\n"), ":2:7: data: the row has 3 cells, line 1 has 2 columns");
+  EXPECT_EQ(table_error("t,T\n0,1\n0.1\n"),
             ":3:1: data: the row has 1 cell, line 1 names 2 columns");
-  EXPECT_EQ(message_of("t (min),T\n0,1\n1,1\n"),
+  EXPECT_EQ(table_error("t (min),T\n0,1\n1,1\n"),
             ":1:1: data: t: it is in min, which is not converted; give it in s");
-  EXPECT_EQ(message_of("t,T (lbf ft)\n0,1\n1,1\n"),
+  EXPECT_EQ(table_error("t,T (lbf ft)\n0,1\n1,1\n"),
             ":1:3: data: T: it is in lbf ft, which is not converted; give it in N m");
-  EXPECT_EQ(message_of("0,1\n0.1,x\n"), ":2:5: data: column 2: 'x' is not a number");
-  EXPECT_EQ(message_of("0,1\n0.1,\n"), ":2:5: data: column 2: a number is missing");
-  EXPECT_EQ(message_of("t,T\n0,1\n0.1,inf\n"), ":3:5: data: T: 'inf' is not a finite number");
-  EXPECT_EQ(message_of("-1,1\n0.1,1\n"),
+  EXPECT_EQ(table_error("0,1\n0.1,x\n"), ":2:5: data: column 2: 'x' is not a number");
+  EXPECT_EQ(table_error("0,1\n0.1,\n"), ":2:5: data: column 2: a number is missing");
+  EXPECT_EQ(table_error("t,T\n0,1\n0.1,inf\n"), ":3:5: data: T: 'inf' is not a finite number");
+  EXPECT_EQ(table_error("-1,1\n0.1,1\n"),
             ":1:1: data: column 1: -1 is not allowed, it must be a finite number of at least 0");
-  EXPECT_EQ(message_of("t,T\n0,1\n0.2,1\n 0.1,0\n"),
+  EXPECT_EQ(table_error("t,T\n0,1\n0.2,1\n 0.1,0\n"),
             ":4:2: data: t: 0.1 is not allowed, it must be at least the time before it, 0.2");
-  EXPECT_EQ(message_of("0,1\n0.1,1\n0.1,0\n0.1,2\n0.2,2\n"),
+  EXPECT_EQ(table_error("0,1\n0.1,1\n0.1,0\n0.1,2\n0.2,2\n"),
             ":4:1: data: column 1: 0.1 is not allowed, it must be later than the two before it, "
             "which make a jump already");
-  EXPECT_EQ(message_of("0.1,1\n0.1,0\n"),
+  EXPECT_EQ(table_error("0.1,1\n0.1,0\n"),
             ":2:1: data: column 1: 0.1 is not allowed, it must be later than the first time");
 }
 

@@ -19,7 +19,7 @@ namespace {
 // E I = 3, rho A = 0.5 without gravity's sign, L = 2 in simple numbers.
 const std::string kBeam =
     "[beam]\nlength = 2.0\nyoungs_modulus = 6.0\nsecond_moment = 0.5\ndensity = 2.0\narea = 0.25\n";
-constexpr double kStiffness = 3.0, kMass = 0.5, kLength = 2.0;
+constexpr double kStiffness = 3.0, kMass = 0.5, kStaticLength = 2.0;
 const std::string kGravity = "[gravity]\nacceleration = 1.0\n";
 
 std::string stops_at(std::initializer_list<double> places) {
@@ -54,7 +54,8 @@ TEST(StaticResponse, OfACantilever) {
   int i = 0;
   for (const double x : {0.3, 1.1, 2.0})
     EXPECT_NEAR(found.under_gravity[i++] /
-                    (kMass * x * x * (6.0 * kLength * kLength - 4.0 * kLength * x + x * x) /
+                    (kMass * x * x *
+                     (6.0 * kStaticLength * kStaticLength - 4.0 * kStaticLength * x + x * x) /
                      (24.0 * kStiffness)),
                 1.0, 1e-13);
 }
@@ -63,8 +64,9 @@ TEST(StaticResponse, OfAPinnedBeam) {
   const StaticResponse found =
       response(kBeam + "modes = 2\nends = [\"pinned\", \"pinned\"]\n" + stops_at({0.4, 1.3}));
   expect_flexibility(found, {0.4, 1.3}, [](double x, double y) {
-    return x * (kLength - y) * (kLength * kLength - x * x - (kLength - y) * (kLength - y)) /
-           (6.0 * kStiffness * kLength);
+    return x * (kStaticLength - y) *
+           (kStaticLength * kStaticLength - x * x - (kStaticLength - y) * (kStaticLength - y)) /
+           (6.0 * kStiffness * kStaticLength);
   });
 }
 
@@ -74,25 +76,30 @@ TEST(StaticResponse, OfABeamUnderTension) {
     const StaticResponse found =
         response(kBeam + fmt::format("modes = 2\ntension = {}\n", tension) + stops_at({2.0}));
     const double k = std::sqrt(std::abs(tension) / kStiffness);
-    const double turned = tension > 0.0 ? std::tanh(k * kLength) : std::tan(k * kLength);
-    EXPECT_NEAR(found.flexibility(0, 0) / ((kLength - turned / k) / tension), 1.0, 1e-12);
+    const double turned =
+        tension > 0.0 ? std::tanh(k * kStaticLength) : std::tan(k * kStaticLength);
+    EXPECT_NEAR(found.flexibility(0, 0) / ((kStaticLength - turned / k) / tension), 1.0, 1e-12);
   }
 }
 
 TEST(StaticResponse, OfStringsAndBars) {
   const std::string string = "[string]\nlength = 2.0\ntension = 7.0\nmass_per_length = 0.5\n";
-  expect_flexibility(response(string + "modes = 3\n" + stops_at({0.25, 1.5})), {0.25, 1.5},
-                     [](double x, double y) { return x * (kLength - y) / (7.0 * kLength); });
+  expect_flexibility(
+      response(string + "modes = 3\n" + stops_at({0.25, 1.5})), {0.25, 1.5},
+      [](double x, double y) { return x * (kStaticLength - y) / (7.0 * kStaticLength); });
   const std::string bar =
       "[bar]\nlength = 2.0\nyoungs_modulus = 7.0\ndensity = 0.5\narea = 1.0\nmodes = 3\n";
   const StaticResponse hanging = response(bar + stops_at({0.25, 2.0}));
   expect_flexibility(hanging, {0.25, 2.0}, [](double x, double) { return x / 7.0; });
-  EXPECT_NEAR(hanging.under_gravity[1] / (0.5 * kLength * kLength / (2.0 * 7.0)), 1.0, 1e-13);
+  EXPECT_NEAR(hanging.under_gravity[1] / (0.5 * kStaticLength * kStaticLength / (2.0 * 7.0)), 1.0,
+              1e-13);
   // Free: held by its own inertia, which does not bend it under gravity.
   const StaticResponse free =
       response(bar + "ends = [\"free\", \"free\"]\n" + stops_at({0.0, 0.5, 2.0}));
   expect_flexibility(free, {0.0, 0.5, 2.0}, [](double x, double y) {
-    return kLength / 7.0 * ((x * x + y * y) / (2.0 * kLength * kLength) - y / kLength + 1.0 / 3.0);
+    return kStaticLength / 7.0 *
+           ((x * x + y * y) / (2.0 * kStaticLength * kStaticLength) - y / kStaticLength +
+            1.0 / 3.0);
   });
   EXPECT_LT(free.under_gravity.cwiseAbs().maxCoeff(), 1e-15);
 }
@@ -106,10 +113,10 @@ TEST(StaticResponse, OfATaperedBeam) {
   boost::math::quadrature::tanh_sinh<double> rule;
   const double expected = rule.integrate(
       [](double x) {
-        const double height = 0.6 - 0.55 * x / kLength;
-        return std::pow(kLength - x, 2.0) / (6.0 * 0.5 * std::pow(height, 3.0) / 12.0);
+        const double height = 0.6 - 0.55 * x / kStaticLength;
+        return std::pow(kStaticLength - x, 2.0) / (6.0 * 0.5 * std::pow(height, 3.0) / 12.0);
       },
-      0.0, kLength);
+      0.0, kStaticLength);
   EXPECT_NEAR(found.flexibility(0, 0) / expected, 1.0, 1e-11);
 }
 

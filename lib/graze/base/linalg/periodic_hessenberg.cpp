@@ -180,7 +180,6 @@ bool PeriodicHessenberg::iterate() {
       steps = 0;
       continue;
     }
-    const Index bulges = (last - first) * static_cast<Index>(factors_.size());
     if (++steps > kMaxSteps || StopScope::is_over()) return false;
     // Now and then a step from anywhere, in case the shifts go round in circles. Towards a
     // triple defective eigenvalue they gain two bits each, and want no interruption.
