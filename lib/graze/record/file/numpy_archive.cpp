@@ -49,7 +49,7 @@ class Packed {
   std::string text_;
 };
 
-struct Member {
+struct ArchiveMember {
   std::string name;
   std::uint64_t size, sum, begin;
 };
@@ -59,21 +59,21 @@ constexpr std::uint64_t kVersion = 45;            // the first with 64 bits
 constexpr std::uint64_t kDate = 1 << 5 | 1;       // 1 January 1980, as NumPy dates its own
 
 // What both records of a member say of it.
-Packed& add_description(const Member& member, std::uint64_t extra, Packed& record) {
+Packed& add_description(const ArchiveMember& member, std::uint64_t extra, Packed& record) {
   constexpr std::uint64_t kNoFlags = 0, kStored = 0, kTime = 0;
   record.add<2>(kVersion).add<2>(kNoFlags).add<2>(kStored).add<2>(kTime).add<2>(kDate);
   record.add<4>(member.sum).add<4>(kElsewhere).add<4>(kElsewhere);
   return record.add<2>(member.name.size()).add<2>(extra);
 }
 
-std::string local_head(const Member& member) {
+std::string local_head(const ArchiveMember& member) {
   Packed record;
   record.add<4>(0x04034b50);
   add_description(member, 20, record).add(member.name);
   return record.add<2>(1).add<2>(16).add<8>(member.size).add<8>(member.size).text();
 }
 
-std::string directory_entry(const Member& member) {
+std::string directory_entry(const ArchiveMember& member) {
   Packed record;
   record.add<4>(0x02014b50).add<2>(kVersion);
   // No comment, first disk, no attributes.
@@ -132,7 +132,7 @@ void NumpyArchive::read_column(std::size_t column,
 PendingFile NumpyArchive::finished() {
   put_away_block();
   const std::string head = array_head(count_);
-  std::vector<Member> members;
+  std::vector<ArchiveMember> members;
   std::uint64_t size = 0;
   const auto write = [&](std::string_view bytes) {
     archive_.append(bytes);
@@ -150,7 +150,7 @@ PendingFile NumpyArchive::finished() {
     read_column(j, write);
   }
   const std::uint64_t begin = size;
-  for (const Member& member : members) write(directory_entry(member));
+  for (const ArchiveMember& member : members) write(directory_entry(member));
   write(directory_end(members.size(), size - begin, begin));
   return std::move(archive_);
 }
