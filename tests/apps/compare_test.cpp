@@ -20,7 +20,7 @@ const std::string kComparedPlane =
     "--points 7 --second stop.gap --second-from 0.5e-3 --second-to 2e-3 --second-points 4 " +
     scene("05_wagg_one_mode.toml");
 
-long long lines_of(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+long long lines_in(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
 TEST(CompareCommand, PutsTwoScenesSideBySide) {
   const ScratchFolder out;
@@ -37,8 +37,8 @@ TEST(CompareCommand, PutsTwoScenesSideBySide) {
   // Both are driven from rest; how the load is spread over the modes moves the first impact.
   EXPECT_NE(apart["first_time"], 0.0);
   EXPECT_LT(std::abs(apart["first_time"].get<double>()), 0.01);
-  EXPECT_EQ(lines_of(read_text(out / "run" / "comparison.csv")), 3);
-  EXPECT_EQ(lines_of(read_text(out / "run" / "first_impacts.csv")), 41);
+  EXPECT_EQ(lines_in(read_text(out / "run" / "comparison.csv")), 3);
+  EXPECT_EQ(lines_in(read_text(out / "run" / "first_impacts.csv")), 41);
   EXPECT_NE(read_text(out / "two.svg").find("galerkin"), std::string::npos);
 }
 
@@ -103,7 +103,7 @@ TEST(CompareCommand, DrawsEveryDifferenceOverAPlane) {
   EXPECT_EQ(document["outcome"], "complete");
   for (const char* key : {"one", "other", "attractor", "agreeing", "first_time", "energy"})
     EXPECT_EQ(document["cells"][key].size(), 28u) << key;
-  EXPECT_EQ(lines_of(read_text(out / "run" / "comparison.csv")), 29);
+  EXPECT_EQ(lines_in(read_text(out / "run" / "comparison.csv")), 29);
 }
 
 TEST(CompareCommand, IsSharedOutAndGoesOn) {

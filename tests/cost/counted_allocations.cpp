@@ -8,7 +8,7 @@
 // new of the shared library is replaced, for it would not be seen.
 namespace {
 
-std::atomic<long long> count{0};
+std::atomic<long long> allocated{0};
 
 }  // namespace
 
@@ -19,17 +19,17 @@ void* __real_calloc(std::size_t items, std::size_t size);
 void* __real_realloc(void* old, std::size_t size);
 
 void* __wrap_malloc(std::size_t size) {
-  ++count;
+  ++allocated;
   return __real_malloc(size);
 }
 
 void* __wrap_calloc(std::size_t items, std::size_t size) {
-  ++count;
+  ++allocated;
   return __real_calloc(items, size);
 }
 
 void* __wrap_realloc(void* old, std::size_t size) {
-  ++count;
+  ++allocated;
   return __real_realloc(old, size);
 }
 
@@ -50,6 +50,6 @@ void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(m
 
 namespace graze::cost {
 
-long long allocations() { return count; }
+long long allocations() { return allocated; }
 
 }  // namespace graze::cost

@@ -45,7 +45,7 @@ class Coverage {
   std::vector<int> inside_;
 };
 
-Scene ball(const std::string& stop) {
+Scene bouncing_ball(const std::string& stop) {
   return parse_scene(
       "[modal]\nfrequencies = [0.0]\ninertia = [1.0]\n[gravity]\nacceleration = 9.81\n[[stop]]\n"
       "shape = [1.0]\n" +
@@ -54,7 +54,7 @@ Scene ball(const std::string& stop) {
 }
 
 TEST(Recovery, OfRestitutionCoefficients) {
-  const Scene scene = ball("gap = 0.5\nrestitution = [0.5, 0.0, 0.0]\n");
+  const Scene scene = bouncing_ball("gap = 0.5\nrestitution = [0.5, 0.0, 0.0]\n");
   const Vector speeds = Vector::LinSpaced(25, 0.1, 2.5);
   const Vector law = 0.9 - 0.15 * speeds.array() - 0.03 * speeds.array().square();
   Coverage coverage({0.9, 0.15, 0.03});
@@ -82,7 +82,7 @@ Vector bounce_times(double h, double r, int count) {
 }
 
 TEST(Recovery, OfDropAndRestitutionFromImpactTimes) {
-  const Scene scene = ball("gap = 0.8\nrestitution = 0.7\n");
+  const Scene scene = bouncing_ball("gap = 0.8\nrestitution = 0.7\n");
   const Vector exact = bounce_times(1.0, 0.8, 12);
   Coverage coverage({1.0, 0.8});
   for (int seed = 1; seed <= kSeeds; ++seed) {
@@ -134,7 +134,7 @@ Vector bouncing(const Vector& at, double h, double r) {
 
 // Kinks of the displacement at impacts that come and go between the samples.
 TEST(Recovery, OfDropAndRestitutionFromADisplacement) {
-  const Scene scene = ball("gap = 0.9\nrestitution = 0.7\n");
+  const Scene scene = bouncing_ball("gap = 0.9\nrestitution = 0.7\n");
   const Vector at = Vector::LinSpaced(150, 0.0, 3.0);
   const Vector exact = bouncing(at, 1.0, 0.8);
   Coverage coverage({1.0, 0.8});
@@ -215,10 +215,10 @@ TEST(Recovery, IsExactWithoutNoise) {
           << result.parameters[j].name;
   };
   const Vector speeds = Vector::LinSpaced(9, 0.2, 1.8);
-  expect(fit(ball("gap = 0.5\nrestitution = [0.5, 0.0]\n"),
+  expect(fit(bouncing_ball("gap = 0.5\nrestitution = [0.5, 0.0]\n"),
              restitutions(speeds, 0.9 - 0.15 * speeds.array()), fit_options({})),
          {0.9, 0.15}, 1e-13);
-  expect(fit(ball("gap = 0.8\nrestitution = 0.7\n"), impacts(bounce_times(1.0, 0.8, 12)),
+  expect(fit(bouncing_ball("gap = 0.8\nrestitution = 0.7\n"), impacts(bounce_times(1.0, 0.8, 12)),
              fit_options({{"stop.gap", 0.2, 3.0}, {"stop.restitution", 0.3, 1.0}})),
          {1.0, 0.8}, 1e-12);
   // A mass of 1 kg meets a linear spring at 0.5 m/s: x = 0.5 sin(w t)/w until w t = pi, then it is

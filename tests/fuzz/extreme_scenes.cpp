@@ -17,7 +17,7 @@ double scaled(double low, double high, Draw& draw) {
   return std::pow(10.0, between(std::log10(low), std::log10(high), draw));
 }
 
-std::string text_of(double value) {
+std::string written(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.17g", value);
   return text;
@@ -26,9 +26,9 @@ std::string text_of(double value) {
 std::string list_of(std::size_t count, const std::function<double()>& number) {
   std::string text = "[";
   for (std::size_t i = 0; i < count; ++i) {
-    const std::string written = text_of(number());
-    text += (i > 0 ? ", " : "") + written;
-    if (written.find_first_of(".e") == std::string::npos) text += ".0";
+    const std::string digits = written(number());
+    text += (i > 0 ? ", " : "") + digits;
+    if (digits.find_first_of(".e") == std::string::npos) text += ".0";
   }
   return text + "]";
 }
@@ -46,13 +46,13 @@ std::string contact(Draw& draw) {
       "0.0", "0.5", "0.8", "0.8", "1.0", "1e-300", "0.999999999", "[1.0, 0.1]", "[0.9, 1e3, -5.0]"};
   if (!draw.once_in(3)) return key("restitution", draw.of(kRestitutions));
   std::string text =
-      "[stop.spring]\n" + key("stiffness", text_of(scaled(1e-5, 1e13, draw))) +
+      "[stop.spring]\n" + key("stiffness", written(scaled(1e-5, 1e13, draw))) +
       key("exponent", draw.of<std::string>({"1.0", "1.0", "1.2", "1.5", "2.0", "3.7"}));
   if (draw.once_in(2))
     text += key("damping", "{model = \"" +
                                draw.of<std::string>({"kelvin-voigt", "kelvin-voigt",
                                                      "hunt-crossley", "lee-wang-1"}) +
-                               "\", coefficient = " + text_of(scaled(1e-6, 1e6, draw)) + "}");
+                               "\", coefficient = " + written(scaled(1e-6, 1e6, draw)) + "}");
   if (draw.once_in(4)) text += key("release", "\"position\"");
   return text;
 }
@@ -60,7 +60,7 @@ std::string contact(Draw& draw) {
 std::string gap(Draw& draw) {
   static const std::vector<std::string> kGaps{"0.0", "1e-12", "1e-6", "1e-6", "-0.001"};
   if (!draw.once_in(3)) return draw.of(kGaps);
-  return text_of(draw.once_in(2) ? between(0.0, 1.0, draw) : scaled(1e-12, 1e2, draw));
+  return written(draw.once_in(2) ? between(0.0, 1.0, draw) : scaled(1e-12, 1e2, draw));
 }
 
 }  // namespace
@@ -85,10 +85,10 @@ std::string extreme_scene(Draw& draw) {
                      key("participation", list_of(modes, [&] { return part(draw); })) +
                      key("inertia", list_of(modes, [&] { return part(draw); }));
   const double forcing = draw.once_in(2) ? draw.of(frequencies) : scale * scaled(1e-8, 1e8, draw);
-  text += "[forcing]\n" + key("amplitude", text_of(draw.once_in(8) ? 0.0 : part(draw))) +
-          key("frequency", text_of(forcing)) +
-          key("phase", text_of(draw.once_in(4) ? between(-10.0, 10.0, draw) : 0.0));
-  if (draw.once_in(4)) text += "[gravity]\n" + key("acceleration", text_of(part(draw)));
+  text += "[forcing]\n" + key("amplitude", written(draw.once_in(8) ? 0.0 : part(draw))) +
+          key("frequency", written(forcing)) +
+          key("phase", written(draw.once_in(4) ? between(-10.0, 10.0, draw) : 0.0));
+  if (draw.once_in(4)) text += "[gravity]\n" + key("acceleration", written(part(draw)));
   std::string shape;
   for (std::size_t i = 0; i < stops; ++i) {
     // Some are the same, some face each other.

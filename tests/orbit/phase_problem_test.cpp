@@ -118,7 +118,7 @@ TEST(PhaseProblem, ConservativeMotionKeepsContactWhateverThePhases) {
       PhaseProblem(*periodic_response(many_kinds(), 2).response, {0}, 1.0).remains_contact());
 }
 
-void expect_derivatives(const System& system) {
+void expect_phase_derivatives(const System& system) {
   const PeriodicResponseAnswer answer = periodic_response(system, 2);
   ASSERT_TRUE(answer.response);
   const std::vector<int> stops{0, 1, 0};
@@ -142,9 +142,9 @@ void expect_derivatives(const System& system) {
 }
 
 TEST(PhaseProblem, DerivativesAgreeWithDifferences) {
-  expect_derivatives(many_kinds());
-  expect_derivatives(with_restitution_by_speed());
-  expect_derivatives(conservative());
+  expect_phase_derivatives(many_kinds());
+  expect_phase_derivatives(with_restitution_by_speed());
+  expect_phase_derivatives(conservative());
 }
 
 TEST(PhaseProblem, ForOneImpactItIsTheClosedForm) {

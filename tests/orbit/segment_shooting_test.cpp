@@ -24,8 +24,8 @@ Found fine_orbit(const Scene& scene) {
 }
 
 // `step` of the differences and what they err by, where the motion itself is followed to 1e-13.
-void expect_derivatives(const Scene& scene, const std::string& parameter, double step = 1e-7,
-                        double error = 1e-6) {
+void expect_segment_derivatives(const Scene& scene, const std::string& parameter,
+                                double step = 1e-7, double error = 1e-6) {
   SCOPED_TRACE(scene.title + ", " + parameter);
   const SystemFamily family(scene, parameter);
   const Found found = fine_orbit(scene);
@@ -60,18 +60,18 @@ void expect_derivatives(const Scene& scene, const std::string& parameter, double
 }
 
 TEST(SegmentShooting, HasTheDerivativesOfItsEquations) {
-  expect_derivatives(sticking_case("Z2b"), "forcing.frequency");
+  expect_segment_derivatives(sticking_case("Z2b"), "forcing.frequency");
   for (const char* parameter : {"forcing.frequency", "stop.gap", "stop.restitution"})
-    expect_derivatives(sticking_case("rayl3"), parameter);
-  expect_derivatives(sticking_case("gravity2"), "gravity.acceleration");
+    expect_segment_derivatives(sticking_case("rayl3"), parameter);
+  expect_segment_derivatives(sticking_case("gravity2"), "gravity.acceleration");
   // Rows that move: the coordinates must not.
-  expect_derivatives(sticking_case("beam2", {"forcing.frequency=24", "stop.restitution=0.2",
-                                             "damping.viscous=0.05", "stop.position=0.28"}),
-                     "stop.position");
-  expect_derivatives(beam("collocation", 3, 44.0), "forcing.frequency");
+  expect_segment_derivatives(sticking_case("beam2", {"forcing.frequency=24", "stop.restitution=0.2",
+                                                     "damping.viscous=0.05", "stop.position=0.28"}),
+                             "stop.position");
+  expect_segment_derivatives(beam("collocation", 3, 44.0), "forcing.frequency");
   // Two stops closed, one of them let go.
-  expect_derivatives(sticking_case("two_stops3"), "stop.1.gap");
-  expect_derivatives(sticking_case("two_stops3"), "stop.2.gap");
+  expect_segment_derivatives(sticking_case("two_stops3"), "stop.1.gap");
+  expect_segment_derivatives(sticking_case("two_stops3"), "stop.2.gap");
 }
 
 // Whether the structure meets a compliant stop while another one holds it.
@@ -97,11 +97,11 @@ TEST(SegmentShooting, HasItsDerivativesWhereSpringsAreCompressedWhileAStopHolds)
   for (const Scene& scene : {dashpot, ball, beam})
     EXPECT_TRUE(is_mixed(settled_orbit(scene))) << scene.title;
   for (const char* parameter : {"stop.1.gap", "stop.2.gap", "stop.2.spring.stiffness"})
-    expect_derivatives(dashpot, parameter, 1e-6, 1e-5);
+    expect_segment_derivatives(dashpot, parameter, 1e-6, 1e-5);
   for (const char* parameter : {"forcing.frequency", "stop.1.restitution"})
-    expect_derivatives(ball, parameter, 1e-6, 1e-5);
+    expect_segment_derivatives(ball, parameter, 1e-6, 1e-5);
   // Rows and directions that move, and what projects with them.
-  expect_derivatives(beam, "stop.2.position", 1e-6, 1e-5);
+  expect_segment_derivatives(beam, "stop.2.position", 1e-6, 1e-5);
 }
 
 // The section of an orbit that sticks lies in the middle of the stuck phase, this one at its end.

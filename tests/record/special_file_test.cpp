@@ -157,7 +157,7 @@ TEST(SpecialFile, OrbitsOnCompliantStopsComeBackUnderTheOldWordToo) {
 }
 
 // What the reader says about a file in which `what` stands in place of the first `from`.
-std::string complaint(const std::string& from, const std::string& what) {
+std::string refusal(const std::string& from, const std::string& what) {
   std::string text = write_special_points(points());
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
@@ -171,24 +171,24 @@ std::string complaint(const std::string& from, const std::string& what) {
 }
 
 TEST(SpecialFile, RefusesWhatIsNone) {
-  EXPECT_NE(complaint("graze_special = 1", "graze_special = 2").find("format of another version"),
+  EXPECT_NE(refusal("graze_special = 1", "graze_special = 2").find("format of another version"),
             std::string::npos);
-  EXPECT_NE(complaint("graze_special = 1", "").find("these are not the special points of a run"),
+  EXPECT_NE(refusal("graze_special = 1", "").find("these are not the special points of a run"),
             std::string::npos);
-  EXPECT_NE(complaint("stops = [1, 2]", "stops = [1, 3]").find("the scene has no such stop"),
+  EXPECT_NE(refusal("stops = [1, 2]", "stops = [1, 3]").find("the scene has no such stop"),
             std::string::npos);
-  EXPECT_NE(complaint("theta = [0.1, 6.4]", "theta = [0.1]").find("the list has 1 entries"),
+  EXPECT_NE(refusal("theta = [0.1, 6.4]", "theta = [0.1]").find("the list has 1 entries"),
             std::string::npos);
-  EXPECT_NE(complaint("label = \"PD\"", "label = \"XX\"").find("no special point called \"XX\""),
+  EXPECT_NE(refusal("label = \"PD\"", "label = \"XX\"").find("no special point called \"XX\""),
             std::string::npos);
-  EXPECT_NE(complaint("scene_sha256 = \"", "scene_sha256 = \"0").find("not the one of this run"),
+  EXPECT_NE(refusal("scene_sha256 = \"", "scene_sha256 = \"0").find("not the one of this run"),
             std::string::npos);
-  EXPECT_NE(complaint("values = [", "values = [1.0, ").find("the list has 2 entries"),
+  EXPECT_NE(refusal("values = [", "values = [1.0, ").find("the list has 2 entries"),
             std::string::npos);
 }
 
 TEST(SpecialFile, NoticesAChange) {
-  EXPECT_NE(complaint("theta = [0.1, 6.4]", "theta = [0.2, 6.4]").find("have been changed"),
+  EXPECT_NE(refusal("theta = [0.1, 6.4]", "theta = [0.2, 6.4]").find("have been changed"),
             std::string::npos);
   // Cut off where a point ends, the rest reads well.
   std::string text = write_special_points(points());
@@ -199,7 +199,7 @@ TEST(SpecialFile, NoticesAChange) {
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("have been changed"), std::string::npos);
   }
-  EXPECT_NE(complaint("\"closed\"", "\"touching\"").find("no stop is closed in it"),
+  EXPECT_NE(refusal("\"closed\"", "\"touching\"").find("no stop is closed in it"),
             std::string::npos);
 }
 
