@@ -14,6 +14,17 @@ constexpr int kMostCorrections = 8;
 // A step this small leaves an error of its square, below rounding.
 constexpr double kCorrectorSettled = 1e-8;
 
+// Roundings of an entry of F: more than its terms have, less than what leads to another solution.
+constexpr double kRoundingsOfEquation = 1024.0;
+
+// Whether each entry of F is no more than what the rounding of x makes of it.
+bool is_rounding_of(const Vector& residual, const Matrix& rates, const Vector& x) {
+  const Vector size = rates.cwiseAbs() * x.cwiseAbs();
+  return (residual.cwiseAbs().array() <=
+          kRoundingsOfEquation * std::numeric_limits<double>::epsilon() * size.array())
+      .all();
+}
+
 // Factorised where it stands: the matrix is not needed any more.
 using InPlaceLU = Eigen::PartialPivLU<Eigen::Ref<Matrix>>;
 
@@ -65,11 +76,12 @@ std::optional<SolutionPoint> Corrector::solve(Vector x, const Vector& normal, do
   for (int i = 0; i < kMostCorrections; ++i) {
     std::optional<Linearised> at = linearise(x, normal);
     if (!at) return {};
-    const InPlaceLU lu(at->bordered);
     const double residual = at->residual.cwiseAbs().maxCoeff();
-    // What a correction this small does not halve is rounding.
-    const bool is_rounding =
-        2.0 * residual >= before && last <= options_.residual_tolerance * (1.0 + x.norm());
+    // What a correction this small does not halve is rounding, if it is no more than that.
+    const bool is_rounding = 2.0 * residual >= before &&
+                             last <= options_.residual_tolerance * (1.0 + x.norm()) &&
+                             is_rounding_of(at->residual, at->bordered.topRows(n), x);
+    const InPlaceLU lu(at->bordered);
     if ((residual <= options_.residual_tolerance && last <= kCorrectorSettled) || is_rounding) {
       const Vector tangent = lu.solve(Vector::Unit(n + 1, n)).normalized();
       if (!tangent.allFinite()) return {};

@@ -25,6 +25,7 @@ inline constexpr int kRoundings = 16;
 // An arrival where an impact is due or nothing can be decided; else empty, with the changes noted.
 template <class Real>
 std::optional<Arrival<Real>> Motion<Real>::decide() {
+  if (compliant_.empty()) return decide_rigid();
   decide_moving_springs();
   const std::optional<Arrival<Real>> arrival = decide_rigid();
   if (!arrival) decide_resting_springs();

@@ -267,6 +267,7 @@ class Motion {
   void touch_simultaneous(const Real& flight);
   void fail_audit(int stop, std::string what);
   Real passing_rounding(int stop, const Real& flight) const;
+  Real pushing_rounding(int stop, const Real& flight) const;
   void audit_gaps(const Real& flight);
   void audit_forces();
   bool pulls(const std::vector<int>& held) const;

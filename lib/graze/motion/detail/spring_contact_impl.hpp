@@ -95,6 +95,8 @@ void Motion<Real>::judge_again(Jumped what) {
         (before == Contact::kDeparting && now_.multiplicities[static_cast<std::size_t>(i)] > 1);
     if (rests || (before == Contact::kDeparting && what == Jumped::kVelocities))
       set(i, Contact::kTouching);
+    // Entered from rest before: what it does now is decided by the velocity.
+    if (before == Contact::kCompressed && what == Jumped::kVelocities) set(i, before);
     if (what == Jumped::kForces || !stop(i).force().parts_early()) continue;
     // At its surface the next phase says whether it is left.
     if ((before != Contact::kCompressed && before != Contact::kParted) || !(depth(i) > 0)) continue;
@@ -170,7 +172,7 @@ std::vector<bool> Motion<Real>::moving_modes() const {
   // Each pass connects one stop at least.
   std::vector<int> apart;
   for (const int i : all_)
-    if (contact(i) != Contact::kClear) apart.push_back(i);
+    if (contact(i) != Contact::kClear && contact(i) != Contact::kDeparting) apart.push_back(i);
   const auto connects = [&](int i) {
     if (!is_moved(i, moves)) return false;
     for (Eigen::Index j = 0; j < n; ++j)
