@@ -45,8 +45,8 @@ inPage('a map is drawn in the colours of the picture', () => basins, async (page
   assert.deepEqual(titles, ['(1,1)', 'clear', 'no start']);
   assert.ok(await pixelsOf(page, '#dots') > 100_000);
   assert.equal(await colourAt(page, await placeOfCell(page, [0, 49], [40, 41])), '#77aadd');  // (1,1)
-  assert.equal(await colourAt(page, await placeOfCell(page, [39, 49], [20, 41])), '#d5edf7');  // rests at the start
-  assert.equal(await colourAt(page, await placeOfCell(page, [48, 49], [20, 41])), '#eeeeee');
+  assert.equal(await colourAt(page, await placeOfCell(page, [39, 49], [20, 41])), '#c4e4f2');  // rests at the start
+  assert.equal(await colourAt(page, await placeOfCell(page, [48, 49], [20, 41])), '#e8e8e8');
   assert.match(await range(page), /^Map of the attractor over q₁ at the start from −4\.1 kg\^½ m to 0\.8 kg\^½ m and dq₁\/dt/);
 });
 
@@ -90,7 +90,7 @@ inPage('wheel and buttons zoom', () => basins, async (page) => {
   await page.mouse.wheel(0, -500);
   await settled(page);
   assert.notEqual(await range(page), whole);
-  assert.equal(await colourAt(page, place), '#d5edf7');  // what is under the pointer stays there
+  assert.equal(await colourAt(page, place), '#c4e4f2');  // what is under the pointer stays there
   assert.match(await text(page, '#hover'), /^(clear.*)?$/);
   await page.click('#zoom-reset');
   assert.equal(await range(page), whole);
@@ -206,7 +206,7 @@ test('on dark ground what never repeats and what has no motion change places', a
   const none = await placeOfCell(dark.page, [48, 49], [20, 41]);
   assert.equal(await colourAt(dark.page, none), '#262b31');
   await dark.page.click('#theme');
-  assert.equal(await colourAt(dark.page, none), '#eeeeee');
+  assert.equal(await colourAt(dark.page, none), '#e8e8e8');
   assert.equal(await ground(dark.page), 'rgb(255, 255, 255)');
   assert.deepEqual(dark.wrong, []);
   await dark.close();

@@ -93,17 +93,17 @@ Vector energy_roundings(const SparseMatrix& stiffness, const Matrix& columns) {
          squares.cwiseProduct(moved).colwise().sum().cwiseSqrt().transpose();
 }
 
-void judge(const StructuralMatrices& structure, const Matrix& vectors, StructuralModes& modes) {
+JudgedModes judged_modes(const StructuralMatrices& structure, const Matrix& vectors) {
   const Judge judge(structure, vectors);
   std::vector<JudgedMode> judged;
   for (Eigen::Index j = 0; j < vectors.cols(); ++j) judged.push_back(judge.judged(vectors.col(j)));
   std::sort(judged.begin(), judged.end(), [](const JudgedMode& a, const JudgedMode& b) {
     return std::tie(a.square, a.energy) < std::tie(b.square, b.energy);
   });
+  JudgedModes modes;
   modes.omega.resize(vectors.cols());
   modes.residuals.resize(vectors.cols());
   modes.shapes.resize(vectors.rows(), vectors.cols());
-  modes.rigid = 0;
   for (Eigen::Index j = 0; j < vectors.cols(); ++j) {
     const JudgedMode& mode = judged[static_cast<std::size_t>(j)];
     modes.omega[j] = std::sqrt(mode.square);
@@ -112,6 +112,7 @@ void judge(const StructuralMatrices& structure, const Matrix& vectors, Structura
     modes.rigid += mode.square == 0.0;
   }
   modes.square_roundings = energy_roundings(structure.stiffness, modes.shapes);
+  return modes;
 }
 
 }  // namespace graze

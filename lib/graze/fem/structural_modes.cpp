@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "graze/base/errors.hpp"
@@ -18,6 +19,15 @@
 
 namespace graze {
 namespace {
+
+void judge(const StructuralMatrices& structure, const Matrix& vectors, StructuralModes& modes) {
+  JudgedModes judged = judged_modes(structure, vectors);
+  modes.omega = std::move(judged.omega);
+  modes.shapes = std::move(judged.shapes);
+  modes.residuals = std::move(judged.residuals);
+  modes.square_roundings = std::move(judged.square_roundings);
+  modes.rigid = judged.rigid;
+}
 
 // Pivots below this share of their diagonal entries are those of a matrix that is singular but for
 // rounding.

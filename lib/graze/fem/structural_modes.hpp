@@ -66,10 +66,9 @@ struct StructuralModes {
 // have no column. Throws InputError where there are not as many, where the mass has a
 // negative eigenvalue, where the stiffness is not positive semidefinite or lets
 // degrees of freedom without mass move freely, and where modes cannot be found to a residual of
-// kLargestResidual or not as many as there are.
+// 1e-8 or not as many as there are.
 StructuralModes lowest_modes(const StructuralMatrices& structure, int count,
                              const Matrix& loads = Matrix());
-inline constexpr double kLargestResidual = 1e-8;
 
 // How many modes there are, for messages: "3 degrees of freedom that are not held".
 std::string mode_limit_text(const StructuralMatrices& structure);

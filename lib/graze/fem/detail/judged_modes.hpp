@@ -4,13 +4,23 @@
 
 #include <string>
 
-#include "graze/fem/structural_modes.hpp"
+#include "graze/fem/structural_matrices.hpp"
 
 namespace graze {
 
-// Of vectors that are orthonormal in M, n x m: sets all of `modes` that is one of each mode, and
-// the number of rigid ones. Throws InputError where the stiffness is indefinite.
-void judge(const StructuralMatrices& structure, const Matrix& vectors, StructuralModes& modes);
+// Of a mode; larger ones are refused.
+inline constexpr double kLargestResidual = 1e-8;
+
+// As of StructuralModes (structural_modes.hpp).
+struct JudgedModes {
+  Vector omega;
+  Matrix shapes;
+  Vector residuals, square_roundings;
+  int rigid = 0;
+};
+
+// Of vectors that are orthonormal in M, n x m. Throws InputError where the stiffness is indefinite.
+JudgedModes judged_modes(const StructuralMatrices& structure, const Matrix& vectors);
 
 // By what twice the elastic energy of each column changes where every entry of the stiffness is
 // rounded for itself.

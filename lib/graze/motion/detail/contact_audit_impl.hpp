@@ -14,7 +14,7 @@
 #include "graze/base/units.hpp"
 #include "graze/motion/detail/contact_audit.hpp"
 #include "graze/motion/detail/motion.hpp"
-#include "graze/system/detail/gap_value.hpp"
+#include "graze/system/scale.hpp"
 
 namespace graze {
 template <class Real>
@@ -37,14 +37,16 @@ Real Motion<Real>::passing_rounding(int i, const Real& flight) const {
          (abs(s.gap) + s.row.norm() * size);
 }
 
-// The same of how far the forces move it.
+// The same of how far the forces move it, and of the forced displacement that free motion may
+// cancel.
 template <class Real>
 Real Motion<Real>::pushing_rounding(int i, const Real& flight) const {
   const Real time = now_.instant.local + flight;
   RealVector<Real> size;
   free_acceleration(&size);
-  return kAuditAmplification * std::numeric_limits<Real>::epsilon() * stop(i).row.norm() * time *
-         time * size.norm();
+  const Real forced = system_.forcing() ? still_gap(system_) : 0.0;
+  return forced + kAuditAmplification * std::numeric_limits<Real>::epsilon() * stop(i).row.norm() *
+                      time * time * size.norm();
 }
 
 // After a flight, before anything is decided at its end. Steps that the scene asks for look at the
