@@ -8,7 +8,7 @@ import pytest
 #: Of what is printed and drawn, which a result is asked for afterwards.
 ELSEWHERE = {
     "json", "quiet", "wide", "verbose", "plot", "title", "style", "labels", "x-range", "y-range",
-    "x-scale", "y-scale", "multipliers",
+    "x-scale", "y-scale", "multipliers", "size", "font",
     "parameters",  # of a scene: Scene.parameters
 }
 #: Which need --plot in the program.

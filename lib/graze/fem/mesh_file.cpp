@@ -95,8 +95,10 @@ class MeshReader {
       const long last = lines_.integer(parts[1]);
       const long step = parts.size() == 3 ? lines_.integer(parts[2]) : 1;
       if (step < 1) lines_.fail(fmt::format("the step {} must be at least 1", step));
-      for (long node = lines_.integer(parts[0]); node <= last; node += step)
-        if (mesh_.nodes.contains(node)) set.push_back(node);
+      const long first = lines_.integer(parts[0]);
+      for (auto node = mesh_.nodes.lower_bound(first);
+           node != mesh_.nodes.end() && node->first <= last; ++node)
+        if ((node->first - first) % step == 0) set.push_back(node->first);
       return;
     }
     for (const std::string_view part : parts) {

@@ -147,7 +147,7 @@ class WalkingFlow final : public StepFlow {
     if constexpr (kSprung) {
       const double turned = walk_.rates.quickest() * step;
       if (turned > kTurn / 2.0)
-        return static_cast<int>(std::ceil(std::fmin(turned, 1e3) / (kTurn / 2.0)));
+        return static_cast<int>(std::ceil(std::fmin(turned, kMostTurned) / (kTurn / 2.0)));
     }
     return 1;
   }
@@ -344,6 +344,9 @@ class WalkingFlow final : public StepFlow {
   }
 
   static constexpr long long kStepsPerPoll = 4096;
+  // rad of the quickest oscillation that are looked at by themselves in one step: where a step goes
+  // over more, that oscillation is too small for the step's error, and so is what it does to a gap.
+  static constexpr double kMostTurned = 64.0;
   // In errors of a depth: so far from its zero a search makes long steps.
   static constexpr double kWellLeft = 1e6;
   // Of the time so far: a step so short has no room for nodes of a rule.
