@@ -172,7 +172,7 @@ std::vector<bool> Motion<Real>::moving_modes() const {
   // Each pass connects one stop at least.
   std::vector<int> apart;
   for (const int i : all_)
-    if (contact(i) != Contact::kClear && contact(i) != Contact::kDeparting) apart.push_back(i);
+    if (contact(i) != Contact::kClear) apart.push_back(i);
   const auto connects = [&](int i) {
     if (!is_moved(i, moves)) return false;
     for (Eigen::Index j = 0; j < n; ++j)
