@@ -344,8 +344,9 @@ class WalkingFlow final : public StepFlow {
   }
 
   static constexpr long long kStepsPerPoll = 4096;
-  // rad of the quickest oscillation that are looked at by themselves in one step: where a step goes
-  // over more, that oscillation is too small for the step's error, and so is what it does to a gap.
+  // rad of the quickest oscillation that are looked at part by part within one step, which bounds
+  // what a step costs. Over more the parts are longer than half a turn, and a fall and rise of that
+  // oscillation within one of them may be passed over.
   static constexpr double kMostTurned = 64.0;
   // In errors of a depth: so far from its zero a search makes long steps.
   static constexpr double kWellLeft = 1e6;
