@@ -66,6 +66,7 @@ struct OrbitSearchOptions : MotionOptions {
   int period = 1;
   bool period_given = false;  // then no orbit of another one is listed
   std::optional<int> impacts;
+  bool any_impacts = false;  // asked for in so many words
   bool keep_virtual = false;
   std::vector<std::string> starts;  // empty: all
   unsigned long long random_seed = 1;
@@ -143,11 +144,18 @@ struct ContinueCommand : LocusTracingOptions {
   RestartOptions restart;
 };
 
+// Of which orbits a diagram shows branches.
+enum class DiagramBranches {
+  kNone,
+  kFound,  // (1, 1), and whatever the sweep settles on
+  kAll     // (p, k), all that a search leads to
+};
+
 struct DiagramCommand : BranchingOptions {
   int points = 400;
   SweepDirection direction = SweepDirection::kUp;
   DiagramSection section = DiagramSection::kImpact;
-  bool branches = true;
+  std::optional<DiagramBranches> branches;
   std::optional<double> duration;  // s of a run where no forcing repeats the motion
   SettlingOptions settling;
   JournalOptions journal;

@@ -67,19 +67,9 @@ void add_orbit(CLI::App& graze, std::optional<Command>& parsed) {
   add_orbit_search(app, command);
   add_closure_speed(app, command);
   begin_group(app, "Search for orbits");
-  app->add_option_function<std::string>(
-         "--impacts",
-         [&command = command](const std::string& text) {
-           if (text == "any") return;
-           int value = 0;
-           if (!CLI::detail::lexical_cast(text, value) || value < 1)
-             throw InputError(fmt::format(
-                 "--impacts: '{}' is not allowed; give a whole number from 1, or 'any'", text));
-           command.impacts = value;
-         },
-         "Impacts k per orbit, on every sequence of stops; 'any' (default): 1, then 2 and 3 while "
-         "the structure is small, and what the simulation settles on")
-      ->type_name("K|any");
+  add_impacts(app, command, 1, kMostPeriods,
+              "Impacts k per orbit, on every sequence of stops; 'any' (default): 1, then 2 and 3 "
+              "while the structure is small, and what the simulation settles on");
 }
 
 void add_continue(CLI::App& graze, std::optional<Command>& parsed) {
@@ -112,13 +102,21 @@ void add_diagram(CLI::App& graze, std::optional<Command>& parsed) {
   add_sweep(app, command);
   add_closure_speed(app, command);
   begin_group(app, "Branches");
-  app->add_option_function<std::string>("--branches", set_if(command.branches, "all"),
-                                        "Branches over the sweep: all, or none")
-      ->check(CLI::IsMember({"none", "all"}))
-      ->default_str("all")
+  app->add_option_function<std::string>(
+         "--branches",
+         [&command = command](const std::string& word) {
+           command.branches = word == "none"    ? DiagramBranches::kNone
+                              : word == "found" ? DiagramBranches::kFound
+                                                : DiagramBranches::kAll;
+         },
+         "Branches over the sweep: found, of (1, 1) orbits and of whatever the sweep settles on; "
+         "all (p, k) orbits that a search leads to; or none (default: found, with --period or "
+         "--impacts all)")
+      ->check(CLI::IsMember({"found", "all", "none"}))
       ->type_name("WHICH");
   app->add_option("--period", command.period, "Forcing periods p of the branches' orbits")
       ->transform(whole_number("a whole number from 1", 1.0, kMostPeriods))
+      ->each([&command = command](const std::string&) { command.period_given = true; })
       ->capture_default_str()
       ->type_name("P");
   add_branch_kind(app, command);

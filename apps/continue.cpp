@@ -14,6 +14,7 @@
 #include "graze/report/text/text.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
+#include "graze/study/sweep/sweep.hpp"
 #include "restart.hpp"
 #include "search_options.hpp"
 #include "session.hpp"
@@ -94,6 +95,27 @@ void note_shown(const BranchingOptions& command, RunInfo& info) {
 
 namespace {
 
+void check_impacts(const ContinueCommand& command) {
+  if (command.any_impacts && command.period_given)
+    throw InputError("--impacts any: what motions settle on has any period; leave out --period");
+}
+
+// Also from what motions from the scene's initial state settle on, at values spread over the range.
+void start_from_motions(const ContinueCommand& command, const SystemFamily& family,
+                        BranchOptions& options) {
+  SweepOptions motions;
+  motions.from = command.from;
+  motions.to = command.to;
+  motions.points = options.start_values;
+  motions.direction = SweepDirection::kFresh;
+  motions.max_impacts = command.max_impacts;
+  motions.closure_speed = command.closure_speed;
+  motions.threads = command.threads;
+  motions.stop = options.stop;
+  motions.progress = progress_line(command, motions.points, "values");
+  options.settled = settled_starts(sweep(family, motions).rows);
+}
+
 // Whether a point of that kind has another branch to go onto.
 bool has_other_branch(const SpecialOrbit& at) {
   if (at.kind == SpecialKind::kPeriodDoubling) return true;
@@ -127,6 +149,7 @@ void start_from(const Restart& restart, const ContinueCommand& command, BranchOp
 int run(const ContinueCommand& command) {
   if (!command.locus.empty()) return run_loci(command);
   check_plot<BranchRecord>(command);
+  check_impacts(command);
   const Scene given = scene_of(command);
   require_exact_flow(given, "branches are traced");
   const std::optional<Restart> restart = read_restart(command, given);
@@ -164,6 +187,7 @@ int run(const ContinueCommand& command) {
   record.warnings = system_warnings(scene, record.system);
   warn(command, record.warnings);
   prepare_output(command);
+  if (command.any_impacts) start_from_motions(command, family, options);
   record.traced = trace_orbits(family, options, number_of(record.shown, family));
   options.progress = nullptr;
   if (command.measures())

@@ -43,25 +43,44 @@ void note_rows(const DiagramCommand& command, const SweepOptions& options, RunIn
   if (command.measures()) info.options.emplace_back("amplitudes", true);
 }
 
+// Who names period or impacts means all such orbits.
+DiagramBranches wanted_branches(const DiagramCommand& command) {
+  const bool names_them = command.period_given || command.impacts;
+  const DiagramBranches other = names_them ? DiagramBranches::kAll : DiagramBranches::kFound;
+  const DiagramBranches wanted = command.branches.value_or(other);
+  if (wanted == DiagramBranches::kFound && names_them)
+    throw InputError(
+        "--branches found: these are (1, 1) orbits and whatever the sweep settles on; leave out "
+        "--period and --impacts, or give --branches all");
+  if (wanted == DiagramBranches::kAll && command.any_impacts)
+    throw InputError("--impacts any: that is --branches found; of all give a number");
+  return wanted;
+}
+
 void note_rest(const DiagramCommand& command, RunInfo& info) {
   info.options.emplace_back("section", name_of(command.section));
   note_shown(command, info);
-  info.options.emplace_back("branches", command.branches ? "all" : "none");
-  if (command.branches) {
+  const DiagramBranches wanted = wanted_branches(command);
+  info.options.emplace_back("branches", wanted == DiagramBranches::kNone    ? "none"
+                                        : wanted == DiagramBranches::kFound ? "found"
+                                                                            : "all");
+  if (wanted == DiagramBranches::kAll) {
     info.options.emplace_back("period", static_cast<long long>(command.period));
     info.options.emplace_back("impacts", static_cast<long long>(command.impacts.value_or(1)));
-    note_following(command, info);
   }
+  if (wanted != DiagramBranches::kNone) note_following(command, info);
   if (command.max_step) info.options.emplace_back("max_step", *command.max_step);
   info.options.emplace_back("max_seconds", command.max_seconds);
 }
 
 // The branches; how that ended, or nothing where they are not wanted.
 std::optional<Outcome> add_branches(const DiagramCommand& command, const SystemFamily& family,
-                                    const BranchOptions& options, DiagramRecord& record) {
+                                    BranchOptions options, DiagramRecord& record) {
   OrbitBranches& traced = record.branches.traced;
   traced.parameter = command.parameter;
-  if (!command.branches) return {};
+  const DiagramBranches wanted = wanted_branches(command);
+  if (wanted == DiagramBranches::kNone) return {};
+  if (wanted == DiagramBranches::kFound) options.settled = settled_starts(record.swept.rows);
   traced = trace_orbits(family, options, number_of(record.branches.shown, family));
   if (command.measures())
     record.branches.amplitudes = measure_branches(family, traced, command.threads, options.stop);
@@ -80,6 +99,7 @@ std::optional<Outcome> add_branches(const DiagramCommand& command, const SystemF
 
 int run(const DiagramCommand& command) {
   check_plot<DiagramRecord>(command);
+  wanted_branches(command);
   check_journal_options(command, command.journal);
   const Scene scene = scene_of(command);
   if (!scene.forcing) return run_diagram_of_runs(command, scene);

@@ -27,6 +27,8 @@ LociOptions loci_options(const LocusTracingOptions& command, const Scene& scene)
         "--second-to D");
   if (*command.second_from == *command.second_to)
     throw InputError("--second-from, --second-to: the range must not be empty");
+  if (command.any_impacts)
+    throw InputError("--impacts any: loci are traced of orbits with a number of impacts; give it");
   if (command.impacts == 0)
     throw InputError("--impacts: loci are traced of orbits with impacts; give at least 1");
   LociOptions options;

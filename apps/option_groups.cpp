@@ -282,13 +282,30 @@ void add_map_show(CLI::App* app, MapCommand& command) {
       ->needs("--show");
 }
 
+void add_impacts(CLI::App* app, OrbitSearchOptions& command, int least, double most,
+                 const std::string& what) {
+  const auto number =
+      whole_number(fmt::format("a whole number from {}{}, or 'any'", least,
+                               most < kMostPeriods ? fmt::format(" to {:g}", most) : std::string()),
+                   least, most);
+  app->add_option_function<std::string>(
+         "--impacts",
+         [&command](const std::string& text) {
+           command.any_impacts = text == "any";
+           command.impacts.reset();
+           if (!command.any_impacts) command.impacts = std::stoi(text);
+         },
+         what)
+      ->transform(CLI::Validator(
+          [number](std::string& text) { return text == "any" ? std::string() : number(text); }, ""))
+      ->type_name("K|any");
+}
+
 void add_branch_kind(CLI::App* app, BranchingOptions& command) {
   begin_group(app, "Branches");
-  app->add_option("--impacts", command.impacts,
-                  "Impacts per orbit, on all stops together; 0: the response that meets no stop, "
-                  "alone (default: 1, and orbits that stick)")
-      ->transform(whole_number_within(0, 64))
-      ->type_name("K");
+  add_impacts(app, command, 0, 64,
+              "Impacts per orbit, on all stops together; 0: the response that meets no stop, "
+              "alone; any: 1, and whatever motions settle on (default: 1, and orbits that stick)");
   app->add_option_function<std::string>(
          "--follow", set_if(command.follows, "all"),
          "Switch branches at special points: none, or all: doubled orbits at PD, crossing "

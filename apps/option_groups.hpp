@@ -71,6 +71,9 @@ void add_plane(CLI::App* app, MapCommand& command);
 void add_journal(CLI::App* app, JournalOptions& options);
 // Which orbits' branches are traced, and how far from the first.
 void add_curve(CLI::App* app, BranchingOptions& command);
+// Up to how many, 0 or 1 at least; `what` is said of them.
+void add_impacts(CLI::App* app, OrbitSearchOptions& command, int least, double most,
+                 const std::string& what);
 void add_branch_kind(CLI::App* app, BranchingOptions& command);
 // What a map shows of its cells.
 void add_map_show(CLI::App* app, MapCommand& command);

@@ -40,10 +40,9 @@ inline void require_forcing_and_stop(const Scene& scene) {
 }
 
 inline void record_search(const OrbitSearchOptions& command, RunInfo& info) {
+  const bool any = command.any_impacts || (command.name == "orbit" && !command.impacts);
   info.options.emplace_back("period", static_cast<long long>(command.period));
-  info.options.emplace_back("impacts", command.impacts           ? std::to_string(*command.impacts)
-                                       : command.name == "orbit" ? std::string("any")
-                                                                 : std::string("1"));
+  info.options.emplace_back("impacts", any ? "any" : std::to_string(command.impacts.value_or(1)));
   info.options.emplace_back("virtual", command.keep_virtual);
   std::string starts;
   for (const std::string& start : command.starts) starts += (starts.empty() ? "" : ",") + start;

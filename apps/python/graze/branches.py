@@ -37,7 +37,7 @@ def continue_(
     start: Union[None, str, Sequence[str]] = None,
     random_seed: int = 1,
     max_step: Optional[float] = None,
-    impacts: Optional[int] = None,
+    impacts: Union[None, int, str] = None,
     follow: str = "none",
     depth: int = 2,
     amplitudes: bool = False,

@@ -222,9 +222,11 @@ Outcome branch_outcome(const OrbitBranches& traced, const BranchOptions& options
   if (traced.branches.empty() && options.start)
     return {"no_orbit", fmt::format("no branch goes on from {}", options.start->at.id)};
   if (traced.branches.empty() && traced.cut_short == 0)
-    return {"no_orbit", fmt::format("no ({}, {}) orbit was found for {} between {:g} and {:g}{}",
-                                    options.period, options.impacts, traced.parameter, options.from,
-                                    options.to, why_nothing_was_traced(traced))};
+    return {"no_orbit",
+            fmt::format("no ({}, {}) orbit was found for {} between {:g} and {:g}{}{}",
+                        options.period, options.impacts, traced.parameter, options.from, options.to,
+                        options.settled.empty() ? "" : ", and none that motions settle on",
+                        why_nothing_was_traced(traced))};
   if (traced.cut_short > 0)
     return {"budget",
             fmt::format("{} of {} traces could not be followed to an end, so branches may be "

@@ -3,12 +3,21 @@
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "graze/base/stop_signal.hpp"
 #include "graze/bifurcation/problem/special_orbit.hpp"
 #include "graze/orbit/search/finder_values.hpp"
+#include "graze/system/system.hpp"
 
 namespace graze {
+
+// A state at the start of a forcing period, of a motion that has settled at a value of the
+// parameter.
+struct SettledStart {
+  double value = 0.0;
+  State state;
+};
 
 struct BranchOptions {
   int period = 1;   // p
@@ -27,6 +36,8 @@ struct BranchOptions {
   // (BP), rewritten impact sequences (GR), and where they stick onto orbits with an impact (GR) or
   // a stuck phase (CH) more or less, or those of the first windows beyond CH; 0: none.
   int follow_depth = 0;
+  // Branches through what these motions repeat too, whatever its period and impacts.
+  std::vector<SettledStart> settled{};
   // In place of all starts: only the branch through it, and those that `follow_depth` leads to.
   std::optional<BranchStart> start{};
   FinderOptions finder{};  // starts, at the scene's own value

@@ -13,7 +13,7 @@
 #include "graze/bifurcation/trace/detail/shown_branches.hpp"
 #include "graze/motion/simulation.hpp"
 #include "graze/orbit/closed_form/closed_form.hpp"
-#include "graze/orbit/problem/detail/followed_orbit.hpp"
+#include "graze/orbit/search/detail/solved_orbit.hpp"
 #include "graze/orbit/search/finder.hpp"
 #include "graze/orbit/search/settled.hpp"
 
@@ -46,8 +46,9 @@ class OrbitTracer {
   OrbitBranches trace() {
     if (options_.start)
       branches_.trace_from_special(*options_.start);
-    else if (options_.impacts > 0)
-      trace_from_search();
+    else
+      trace_from_settled();
+    if (!options_.start && options_.impacts > 0) trace_from_search();
     if (options_.response && !options_.start && options_.period == 1) trace_response();
     branches_.follow();
     const double speed_scale = result_.scale.speed;
@@ -232,25 +233,40 @@ class OrbitTracer {
     return true;
   }
 
+  void trace_from_settled() {
+    for (const auto& [value, state] : options_.settled)
+      if (!options_.stop.requested()) trace_settled(value, state, Wanted::kAny);
+  }
+
   // Traces the branch of the orbit that sticks, where the motion from the scene's initial state
   // settles on one.
   void trace_sticking(double value) {
     const std::optional<System> system = family_.at(value);
     if (!system) return;
-    const std::optional<State> start = clear_start(family_.scene(), *system);
-    if (!start) return;
+    if (const std::optional<State> start = clear_start(family_.scene(), *system))
+      trace_settled(value, *start, Wanted::kSticking);
+  }
+
+  enum class Wanted {
+    kAny,
+    kSticking  // with the period that is sought
+  };
+  // Traces the branch of what the motion from a state settles on, where that is wanted.
+  void trace_settled(double value, const State& start, Wanted wanted) {
+    const std::optional<System> system = family_.at(value);
+    if (!system) return;
     SettleOptions settling;
     settling.periods = kPeriodsToStick;
     settling.max_impacts = options_.finder.max_impacts;
     settling.closure_speed = closure_speed_;
     settling.stop = options_.stop;
-    const SettledMotion settled = settle(*system, *start, settling);
-    if (settled.kind != SettledKind::kSticks) return;
-    const FollowedAnswer answer =
-        followed_orbit(*system, settled.at_start, settled.period,
-                       {closure_speed_, settling.max_impacts, options_.stop});
-    if (!answer.orbit || answer.orbit->period != options_.period) return;
-    branches_.trace_from(*answer.orbit, value);
+    const SettledMotion settled = settle(*system, start, settling);
+    const bool any = wanted == Wanted::kAny;
+    if (settled.kind != SettledKind::kSticks && !(any && settled.kind == SettledKind::kImpacts))
+      return;
+    const std::optional<Orbit> orbit =
+        orbit_near(*system, settled, {closure_speed_, settling.max_impacts, options_.stop}).orbit;
+    if (orbit && (any || orbit->period == options_.period)) branches_.trace_from(*orbit, value);
   }
 
   // Branches that were traced apart may be connected where the solutions are no orbits; the closed

@@ -15,6 +15,7 @@
 
 #include "graze/assembly/system_family.hpp"
 #include "graze/base/default_budget.hpp"
+#include "graze/bifurcation/problem/branch_options.hpp"
 #include "graze/study/sweep/settled_row.hpp"
 #include "graze/study/sweep/shared_work.hpp"
 
@@ -57,11 +58,19 @@ std::size_t sweep_block(SweepDirection direction);
 // The value of the i-th of `points` from `from` to `to`.
 double sweep_value(const SweepOptions& options, int i);
 
+// Branches that a picture can tell apart; in windows of chaos there are orbits without end.
+inline constexpr std::size_t kMostSettledStarts = 32;
+
 // Neighbouring rows of one class.
 struct AttractorRange {
   AttractorClass attractor;
   std::size_t first = 0, last = 0;  // rows
 };
 std::vector<AttractorRange> attractor_ranges(const std::vector<SweepRow>& rows);
+
+// What branches are traced from: the motion in the middle of each range of those that repeat and
+// meet a stop, the longest range first, at most so many.
+std::vector<SettledStart> settled_starts(const std::vector<SweepRow>& rows,
+                                         std::size_t most = kMostSettledStarts);
 
 }  // namespace graze
