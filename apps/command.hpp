@@ -102,6 +102,8 @@ struct JournalOptions {
   bool restarts = false;  // --restart-work: they may be thrown away
   Share share;
   BlockWorkers* workers = &own_threads();  // who does them; not null
+  std::string program = "graze";           // that goes on with it, as a shell has it
+  std::vector<std::string> arguments{};    // and its own, where the command's are not
 };
 
 // A special point of an earlier run to go on from.

@@ -65,11 +65,12 @@ bool JournalledWork::is_whole_here() const {
 
 void JournalledWork::tell_how_to_go_on(StopReason stopped, Outcome& outcome) const {
   if (stopped == StopReason::kNone || !journal_) return;
-  std::vector<std::string> words = command_.arguments;
+  std::vector<std::string> words =
+      options_.arguments.empty() ? command_.arguments : options_.arguments;
   std::erase(words, "--restart-work");
   if (!options_.goes_on) words.emplace_back("--resume");
   outcome.message += command_.caller ? "; the same call with 'resume' goes on"
-                                     : "; to go on: " + shell_command(words);
+                                     : "; to go on: " + shell_command(words, options_.program);
 }
 
 void JournalledWork::end(StopReason stopped) {

@@ -89,6 +89,7 @@ int run_whole(Sharing whole, const MergeCommand& command, const std::vector<Jour
   whole.scene_text = head.info.scene_text;
   whole.journal = JournalOptions{};
   whole.journal.goes_on = true;
+  whole.journal.arguments = command.arguments;
   const StopSignal stop = stop_signal(command);
   {
     head.share = {};

@@ -37,7 +37,10 @@ void set_workers(Command& parsed, BlockWorkers& workers, int ranks) {
                           command.name, ranks));
         // There is a rank for every core, unless the user says otherwise.
         if (command.threads == 0) command.threads = 1;
-        if constexpr (requires { command.journal; }) command.journal.workers = &workers;
+        if constexpr (requires { command.journal; }) {
+          command.journal.workers = &workers;
+          command.journal.program = fmt::format("mpirun -n {} graze-mpi", ranks);
+        }
       },
       parsed);
 }

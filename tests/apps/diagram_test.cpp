@@ -59,6 +59,49 @@ TEST(Diagram, DotsLieOnTheStableBranch) {
   EXPECT_LE(nearest, 1e-8);
 }
 
+// From 82.5 to 107 rad/s the beam hits its stop once in two periods (docs/diagram.md).
+const std::string kTwoPeriods =
+    kOneMode + " --parameter forcing.frequency --from 86 --to 104 --json ";
+
+std::set<std::pair<int, int>> orbits_of(const json& branches) {
+  std::set<std::pair<int, int>> kinds;
+  for (const json& branch : branches)
+    kinds.emplace(branch["period"].get<int>(), branch["impacts"].get<int>());
+  return kinds;
+}
+
+TEST(Diagram, BranchesFollowWhatTheSweepSettlesOn) {
+  const json document = diagram(kTwoPeriods + "--points 19");
+  EXPECT_EQ(document["graze"]["options"]["branches"], "found");
+  EXPECT_TRUE(orbits_of(document["branches"]).contains({2, 1})) << document["branches"].size();
+  // Dots and branch meet in the middle of the range, where the branch was begun.
+  const json& middle = document["sweep"]["rows"][9];
+  ASSERT_EQ(middle["attractor"], "(2,1)");
+  double nearest = 1.0;
+  for (const json& branch : document["branches"])
+    for (const json& point : branch["points"])
+      if (branch["period"] == 2 && point["value"] == middle["value"])
+        nearest = std::min(
+            nearest, std::abs(point["speed"].get<double>() - middle["speeds"][0].get<double>()));
+  EXPECT_LE(nearest, 1e-8);
+  // Who names orbits has those alone.
+  const json named = diagram(kTwoPeriods + "--points 3 --impacts 1");
+  EXPECT_EQ(named["graze"]["options"]["branches"], "all");
+  EXPECT_FALSE(orbits_of(named["branches"]).contains({2, 1}));
+  for (const char* wrong : {"--branches found --period 2", "--branches found --impacts 1",
+                            "--branches all --impacts any", "--impacts 65", "--impacts some"})
+    EXPECT_EQ(run_graze("diagram " + kTwoPeriods + wrong).code, 2) << wrong;
+}
+
+TEST(Continue, AnyImpactsAreWhatMotionsSettleOn) {
+  const Finished run = run_graze("continue " + kTwoPeriods + "--impacts any");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out);
+  EXPECT_EQ(document["graze"]["options"]["impacts"], "any");
+  EXPECT_TRUE(orbits_of(document["branches"]).contains({2, 1}));
+  EXPECT_EQ(run_graze("continue " + kTwoPeriods + "--impacts any --period 2").code, 2);
+}
+
 TEST(Diagram, GivesTheSameBytesForAnyNumberOfThreads) {
   for (const char* direction : {"up", "down", "fresh"}) {
     const std::string line = "diagram --json " + kOneMode +

@@ -87,8 +87,12 @@ TEST(Journal, SharesMergeToTheWhole) {
           run_graze(work + " --shard " + share + " --out " + (scratch / "shares").string());
       ASSERT_EQ(run.code, 0) << run.err;
     }
-    const Finished merged = run_graze("merge --quiet --json " + (scratch / "shares").string() +
-                                      " --out " + (scratch / "merged").string());
+    const std::string merge = "merge --quiet --json " + (scratch / "shares").string() + " --out " +
+                              (scratch / "merged").string();
+    const Finished late = run_graze(merge + " --max-seconds 1e-9");
+    EXPECT_EQ(late.code, 3);
+    EXPECT_NE(late.out.find("to go on: graze merge "), std::string::npos) << late.out;
+    const Finished merged = run_graze(merge);
     ASSERT_EQ(merged.code, 0) << merged.err;
     expect_same(scratch, "whole", "merged");
     EXPECT_EQ(merged.out, read_text(scratch / "whole" / "result.json"));

@@ -12,8 +12,8 @@ std::string shell_word(const std::string& word) {
   return quoted + "'";
 }
 
-std::string shell_command(const std::vector<std::string>& arguments) {
-  std::string text = "graze";
+std::string shell_command(const std::vector<std::string>& arguments, const std::string& program) {
+  std::string text = program;
   for (const std::string& argument : arguments) text += " " + shell_word(argument);
   return text;
 }

@@ -90,7 +90,7 @@ class Mapper {
         if (!run.is_finished || !end(run, settled.cell)) co_return false;
       }
       describe(i, run.row, settled);
-      if (options.memory.keep) options.memory.keep(name, settled);
+      if (!options.memory.take(name, settled)) co_return false;
       cells[i] = std::move(settled);
     }
     counter.add();

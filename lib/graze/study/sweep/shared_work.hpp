@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "graze/base/detail/stop_scope.hpp"
 #include "graze/base/progress_counter.hpp"
 #include "graze/study/sweep/block_workers.hpp"
 
@@ -52,13 +53,21 @@ struct PieceMemory {
   std::function<std::optional<Piece>(const std::string& name)> recall{};
   std::function<void(const std::string& name, const Piece& piece)> keep{};
 
+  // Whether the piece is as good as any, and is then kept: what is concluded after the time is over
+  // says less than it could (StopScope).
+  bool take(const std::string& name, const Piece& piece) const {
+    if (StopScope::is_over()) return false;
+    if (keep) keep(name, piece);
+    return true;
+  }
+
   // The piece as it is remembered, or else as `make` makes it; nothing where that was stopped.
   template <class Make>
   std::optional<Piece> get(const std::string& name, const Make& make) const {
     if (recall)
       if (std::optional<Piece> known = recall(name)) return known;
     std::optional<Piece> made = make();
-    if (made && keep) keep(name, *made);
+    if (made && !take(name, *made)) return {};
     return made;
   }
 };

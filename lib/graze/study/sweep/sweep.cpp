@@ -84,8 +84,8 @@ class Sweeper {
     if (!end(run)) return {};
     return kept(name, std::move(run.row));
   }
-  SweepRow kept(const std::string& name, SweepRow row) const {
-    if (options_.memory.keep) options_.memory.keep(name, row);
+  std::optional<SweepRow> kept(const std::string& name, SweepRow row) const {
+    if (!options_.memory.take(name, row)) return {};
     return row;
   }
 

@@ -9,7 +9,8 @@ namespace graze {
 // In quotes where a shell would read it otherwise.
 std::string shell_word(const std::string& word);
 
-// The program with these arguments.
-std::string shell_command(const std::vector<std::string>& arguments);
+// The program, itself such words, with these arguments.
+std::string shell_command(const std::vector<std::string>& arguments,
+                          const std::string& program = "graze");
 
 }  // namespace graze
