@@ -106,7 +106,7 @@ void start_from_motions(const ContinueCommand& command, const SystemFamily& fami
   SweepOptions motions;
   motions.from = command.from;
   motions.to = command.to;
-  motions.points = options.start_values;
+  motions.points = 101;  // two of them a fiftieth of the range, the longest step of a branch
   motions.direction = SweepDirection::kFresh;
   motions.max_impacts = command.max_impacts;
   motions.closure_speed = command.closure_speed;

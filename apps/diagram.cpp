@@ -1,4 +1,6 @@
 // graze diagram: a brute-force sweep over a parameter, and the branches of orbits over it.
+#include <fmt/format.h>
+
 #include "branch_options.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
@@ -84,6 +86,13 @@ std::optional<Outcome> add_branches(const DiagramCommand& command, const SystemF
   traced = trace_orbits(family, options, number_of(record.branches.shown, family));
   if (command.measures())
     record.branches.amplitudes = measure_branches(family, traced, command.threads, options.stop);
+  if (wanted == DiagramBranches::kFound && traced.cut_settled > 0) {
+    // The sweep says where else its orbits go.
+    traced.notes.push_back(fmt::format(
+        "{} of the branches through what the sweep settles on could not be followed to {}",
+        traced.cut_settled, traced.cut_settled == 1 ? "an end" : "their ends"));
+    traced.cut_short -= traced.cut_settled;
+  }
   const Outcome outcome = branch_outcome(traced, options);
   if (outcome.name == "no_orbit") traced.notes.push_back(outcome.message);
   if (record.branches.shown)

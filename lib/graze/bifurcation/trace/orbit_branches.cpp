@@ -236,6 +236,7 @@ class OrbitTracer {
   void trace_from_settled() {
     for (const auto& [value, state] : options_.settled)
       if (!options_.stop.requested()) trace_settled(value, state, Wanted::kAny);
+    result_.cut_settled = result_.cut_short;
   }
 
   // Traces the branch of the orbit that sticks, where the motion from the scene's initial state

@@ -27,6 +27,7 @@ struct OrbitBranches {
   ComponentSearch sought;  // how the components of (p, 1) solutions were
   int traced = 0;          // traces begun, one for each start that no earlier one had passed
   int cut_short = 0;       // traces that could not be followed to an end
+  int cut_settled = 0;     // those of them from motions that have settled
   int meetings = 0;        // branches ended by impacts that meet
   int switched = 0;        // special points switched at
   int left_open = 0;       // special points at the stated depth that were not switched at

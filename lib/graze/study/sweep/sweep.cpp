@@ -261,21 +261,15 @@ std::vector<AttractorRange> attractor_ranges(const std::vector<SweepRow>& rows) 
   return ranges;
 }
 
-std::vector<SettledStart> settled_starts(const std::vector<SweepRow>& rows, std::size_t most) {
-  std::vector<AttractorRange> ranges = attractor_ranges(rows);
-  std::erase_if(ranges, [](const AttractorRange& range) {
-    return range.attractor.kind != SettledKind::kImpacts &&
-           range.attractor.kind != SettledKind::kSticks;
-  });
-  const auto is_longer = [](const AttractorRange& a, const AttractorRange& b) {
-    return a.last - a.first > b.last - b.first;
-  };
-  std::stable_sort(ranges.begin(), ranges.end(), is_longer);
-  if (ranges.size() > most) ranges.resize(most);
+std::vector<SettledStart> settled_starts(const std::vector<SweepRow>& rows) {
+  const std::size_t least = std::max<std::size_t>(2, rows.size() / 50);
   std::vector<SettledStart> starts;
-  for (const AttractorRange& range : ranges) {
+  for (const AttractorRange& range : attractor_ranges(rows)) {
+    const SettledKind kind = range.attractor.kind;
+    const bool repeats = kind == SettledKind::kImpacts || kind == SettledKind::kSticks;
     const SweepRow& middle = rows[(range.first + range.last) / 2];
-    starts.push_back({middle.value, middle.motion.at_start});
+    if (repeats && range.last - range.first + 1 >= least)
+      starts.push_back({middle.value, middle.motion.at_start});
   }
   return starts;
 }

@@ -58,9 +58,6 @@ std::size_t sweep_block(SweepDirection direction);
 // The value of the i-th of `points` from `from` to `to`.
 double sweep_value(const SweepOptions& options, int i);
 
-// Branches that a picture can tell apart; in windows of chaos there are orbits without end.
-inline constexpr std::size_t kMostSettledStarts = 32;
-
 // Neighbouring rows of one class.
 struct AttractorRange {
   AttractorClass attractor;
@@ -69,8 +66,8 @@ struct AttractorRange {
 std::vector<AttractorRange> attractor_ranges(const std::vector<SweepRow>& rows);
 
 // What branches are traced from: the motion in the middle of each range of those that repeat and
-// meet a stop, the longest range first, at most so many.
-std::vector<SettledStart> settled_starts(const std::vector<SweepRow>& rows,
-                                         std::size_t most = kMostSettledStarts);
+// meet a stop, in order. Of neighbours that agree, over a fiftieth of the values at least: what is
+// shorter lies between two points of a branch, and in chaos there is no end of it.
+std::vector<SettledStart> settled_starts(const std::vector<SweepRow>& rows);
 
 }  // namespace graze
