@@ -10,7 +10,7 @@
 //   - its exit code is one of the contract's, and 130 only where it was sent SIGTERM;
 //   - sent SIGTERM it ends: within 1 s where nothing else runs, 10 s are allowed; on extreme
 //   scenes,
-//     and there after its --max-seconds too, within 1 s of processor time on one thread;
+//     and there after its --max-seconds too, within kTooLate of processor time on one thread;
 //   - exit code 2 leaves stdout empty; with --json there is one document on it or nothing;
 //   - stderr holds no control characters.
 // Failed cases are kept as FOLDER/failed_CASE, with the command as command.txt; exit 1 if there
@@ -39,6 +39,9 @@ using Clock = std::chrono::steady_clock;
 
 // s, from SIGTERM to the end; what takes longer is told, but no fault: machines are busy.
 constexpr double kLate = 1.0;
+// s of processor time likewise, that is a fault: the longest piece that nothing ends, a decomposition
+// of 200 modes (decision 55), and the grace take three quarters of a second; machines differ by two.
+constexpr double kTooLate = 2.0;
 
 bool has(const std::vector<std::string>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -75,7 +78,7 @@ std::string lateness_of(const WatchedRun& run, double max_seconds) {
   const bool overslept = run.asked && max_seconds < kLate;
   const double late = run.busy - (run.asked ? 0.0 : max_seconds);
   if (overslept) return "--max-seconds passed without an end";
-  if (late <= kLate) return "";
+  if (late <= kTooLate) return "";
   char text[80];
   std::snprintf(text, sizeof text, "%.2f s of work %s", late,
                 run.asked ? "after SIGTERM" : "after --max-seconds");
@@ -94,6 +97,7 @@ class Fuzz {
  public:
   Fuzz(const std::string& program, const fs::path& data, const fs::path& folder, std::uint64_t seed)
       : program_(program), folder_(folder), seed_(seed), lines_(program) {
+    fs::remove_all(folder / "materials");
     fs::create_directories(folder / "materials");
     materials_ = prepared_materials(program, data, folder / "materials");
 #ifdef GRAZE_SANITIZED
