@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -116,6 +117,36 @@ TEST(CompliantLocusSections, LieBesideGrazings) {
   for (const OrbitLocus& locus : result.loci) {
     EXPECT_LT(locus.points.size(), 400u);
     expect_critical(locus, -1.0, own, 1.0, [](double, double amplitude) { return amplitude; });
+  }
+}
+
+// Loci that run all along a grazing, 2 % of the response away from it: tangents that are known as
+// well as the points make a hundred of them enough.
+TEST(CompliantLocusSections, RunAlongGrazings) {
+  struct Case {
+    double damping, stiffness, frequency, part;  // of the amplitude of the response: the gap
+  };
+  for (const Case& one : {Case{0.0563, 297.0, 0.8562, 0.979}, Case{0.04, 150.0, 0.8, 0.97},
+                          Case{0.08, 400.0, 0.9, 0.985}}) {
+    SCOPED_TRACE(one.stiffness);
+    const double w = one.frequency;
+    const double response = 1.0 / std::hypot(1.0 - w * w, 2.0 * one.damping * w);
+    const support::ElasticOscillator own{one.damping, one.stiffness, one.part * response};
+    std::ostringstream text;
+    text.precision(17);
+    text << "units = \"none\"\n[modal]\nfrequencies = [1.0]\ndamping_ratios = [" << one.damping
+         << "]\nparticipation = [1.0]\n[forcing]\nkind = \"modal\"\namplitude = 1.0\nfrequency = "
+         << w << "\n[[stop]]\nshape = [1.0]\ngap = " << own.gap
+         << "\n[stop.spring]\nstiffness = " << one.stiffness << "\nexponent = 1.0\n";
+    const OrbitLoci result =
+        trace_loci(parse_scene(text.str(), "along"), "forcing.frequency", "forcing.amplitude",
+                   doublings(0.93 * w, 1.07 * w, 0.8, 1.25));
+    EXPECT_EQ(result.cut_short, 0);
+    ASSERT_GE(result.loci.size(), 1u);
+    for (const OrbitLocus& locus : result.loci) {
+      EXPECT_LT(locus.points.size(), 250u);
+      expect_critical(locus, -1.0, own, 1.0, [](double, double amplitude) { return amplitude; });
+    }
   }
 }
 

@@ -22,9 +22,12 @@ constexpr double kRigidAccuracy = 4.0 * std::numeric_limits<double>::epsilon();
 constexpr double kCritical = 1e3 * kMapAccuracy;
 
 // Slopes of the map are smooth but where a contact is born, or passes a section: beside that they
-// go with the root of the distance, as the duration of the contact does. Over a step of .6 of the
-// distance, where that differs twofold, a central difference errs by 5 %.
+// go with the root of the distance, as the duration of the contact does. Over steps of x of the
+// distance a central difference errs by x^2/8: by 5 % over .6 of it, where durations differ
+// twofold, which leads no more than Newton's method; by 5e-5 over .02, as tangents need it, along
+// which a locus is predicted.
 constexpr double kLikeDuration = 2.0;
+constexpr double kReach = 0.02;
 // A step that reaches too far is taken so many times shorter, until its ends do not differ by more
 // than this part of it for rounding alone: what leads Newton's method need not be known better.
 constexpr double kShorter = 1.0 / 8.0;
@@ -37,6 +40,17 @@ bool are_alike(const std::vector<PassedContact>& some, const std::vector<PassedC
     return a.stop == b.stop && a.from_start == b.from_start && a.to_end == b.to_end &&
            longer <= kLikeDuration * shorter;
   });
+}
+
+// What part of their distance from there two such motions are apart, by their durations.
+double reach_of(const std::vector<PassedContact>& some, const std::vector<PassedContact>& others) {
+  double reach = 0.0;
+  for (std::size_t i = 0; i < some.size(); ++i) {
+    const double a = some[i].duration * some[i].duration;
+    const double b = others[i].duration * others[i].duration;
+    if (a + b > 0.0) reach = std::max(reach, std::abs(a - b) / (a + b));
+  }
+  return reach;
 }
 
 bool is_smooth(const Stop& stop) { return stop.is_compliant() && stop.force().sets_in_smoothly(); }
@@ -156,13 +170,21 @@ std::optional<ComplexVector> SegmentEquations::products_rate(
   // units of the unknowns and of the parameters.
   const double accuracy = layout().closed.empty() ? kMapAccuracy : kRigidAccuracy;
   const double unit = j < n ? 1.0 : units_[static_cast<std::size_t>(j - n)];
-  for (double step = std::cbrt(accuracy); step * kLostDigits >= accuracy; step *= kShorter) {
+  std::optional<ComplexVector> rate;
+  for (double step = std::cbrt(accuracy); step * kLostDigits >= accuracy;) {
     const auto ahead = moved_by(step), behind = moved_by(-step);
-    if (!ahead || !behind) return {};
-    if (are_alike(ahead->contacts, behind->contacts))
-      return (ahead->sums - behind->sums) / (2.0 * step * unit);
+    if (!ahead || !behind) return rate;
+    if (!are_alike(ahead->contacts, behind->contacts)) {
+      step *= kShorter;
+      continue;
+    }
+    const bool again = rate.has_value();
+    rate = (ahead->sums - behind->sums) / (2.0 * step * unit);
+    const double reach = reach_of(ahead->contacts, behind->contacts);
+    if (again || reach <= kReach) return rate;
+    step *= kReach / reach;
   }
-  return {};
+  return rate;
 }
 
 Vector SegmentEquations::halves_differ(const SolutionPoint& solution) const {
