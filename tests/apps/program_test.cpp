@@ -46,7 +46,7 @@ TEST(Program, ValuesOfOptionsAreRefusedInWords) {
            {trace + "--from a --to 2", "--from: 'a' is not a finite number"},
            {trace + "--from 1 --to inf", "--to: 'inf' is not a finite number"},
            {trace + "--from 1 --to 2 --impacts 65",
-            "--impacts: '65' is not a whole number from 0 to 64"},
+            "--impacts: '65' is not a whole number from 0 to 64, or 'any'"},
            {trace + "--from 1 --to 2 --depth x", "--depth: 'x' is not a whole number from 1 to 16"},
            {trace + "--from 1 --to 2 --max-step 0", "--max-step: '0' is not a number above 0"}}) {
     const Finished run = run_graze(arguments);

@@ -14,7 +14,7 @@ enum Tint : int { kAsked, kDoubled, kClear, kAskedAndMore, kSeveral, kSticking, 
 
 // The smallest place that a label takes, as parts of the axes: so much for each character and for
 // each line.
-constexpr double kRegionCharacter = 0.014, kRegionLine = 0.055;
+constexpr double kRegionCharacter = 0.018, kRegionLine = 0.055;
 constexpr std::size_t kMostLabels = 24;
 
 int tint_of(const StableNames& stable, int period, int impacts) {
@@ -38,11 +38,19 @@ int tint_of(const StableNames& stable, int period, int impacts) {
   }
 }
 
-// Over several lines: "(1,1)", "+ no impact".
-std::vector<std::string> lines_of(const StableNames& stable) {
+// Over several lines: "(1,1)", "+ no impact"; narrow: "(1,1)", "+ no", "impact".
+std::vector<std::string> lines_of(const StableNames& stable, bool narrow) {
   std::vector<std::string> lines;
-  for (const MotionName& name : stable)
-    lines.push_back((lines.empty() ? "" : "+ ") + name_of(name));
+  for (const MotionName& name : stable) {
+    const std::string line = (lines.empty() ? "" : "+ ") + name_of(name);
+    const std::size_t space = narrow ? line.rfind(' ') : std::string::npos;
+    if (space == std::string::npos || space < 2) {
+      lines.push_back(line);
+      continue;
+    }
+    lines.push_back(line.substr(0, space));
+    lines.push_back(line.substr(space + 1));
+  }
   return lines;
 }
 
@@ -244,9 +252,13 @@ std::vector<std::string> RegionTints::legend() const {
 void RegionTints::label(GnuplotScript& script, LabelRoom& room_for_words) const {
   const std::size_t count = std::min(regions_.areas.size(), kMostLabels);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::vector<std::string> lines = lines_of(regions_.areas[i].stable);
+    std::vector<std::string> lines = lines_of(regions_.areas[i].stable, false);
     if (lines.empty()) continue;
-    const std::optional<Room> room = room_for(regions_, static_cast<int>(i), lines);
+    std::optional<Room> room = room_for(regions_, static_cast<int>(i), lines);
+    if (!room) {
+      lines = lines_of(regions_.areas[i].stable, true);
+      room = room_for(regions_, static_cast<int>(i), lines);
+    }
     if (!room) continue;
     room_for_words.take(lines, x(room->column), y(room->row));
     for (std::size_t k = 0; k < lines.size(); ++k) {

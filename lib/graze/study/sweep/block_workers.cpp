@@ -4,6 +4,7 @@
 #include <atomic>
 #include <utility>
 
+#include "graze/base/detail/stop_scope.hpp"
 #include "graze/base/parallel.hpp"
 
 namespace graze {
@@ -46,6 +47,8 @@ std::function<void(const BlockSource&)> one_by_one(
       source.done(*block, run_block(*block));
   };
 }
+
+bool is_work_over() { return StopScope::is_over(); }
 
 std::size_t even_part(std::size_t blocks, std::size_t workers) {
   return std::max<std::size_t>((blocks + workers - 1) / std::max<std::size_t>(workers, 1), 1);

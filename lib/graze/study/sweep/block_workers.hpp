@@ -45,6 +45,10 @@ struct BlockWork {
 std::function<void(const BlockSource&)> one_by_one(
     std::function<bool(std::size_t block)> run_block);
 
+// Whether the time of the work that this thread is at is over (StopScope): what is concluded then
+// says less than it could.
+bool is_work_over();
+
 // So many at a time share `blocks` evenly out to `workers`.
 std::size_t even_part(std::size_t blocks, std::size_t workers);
 

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "graze/base/detail/stop_scope.hpp"
 #include "graze/base/progress_counter.hpp"
 #include "graze/study/sweep/block_workers.hpp"
 
@@ -53,10 +52,9 @@ struct PieceMemory {
   std::function<std::optional<Piece>(const std::string& name)> recall{};
   std::function<void(const std::string& name, const Piece& piece)> keep{};
 
-  // Whether the piece is as good as any, and is then kept: what is concluded after the time is over
-  // says less than it could (StopScope).
+  // Whether the piece is as good as any, and is then kept.
   bool take(const std::string& name, const Piece& piece) const {
-    if (StopScope::is_over()) return false;
+    if (is_work_over()) return false;
     if (keep) keep(name, piece);
     return true;
   }
