@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "branch_checks.hpp"
+#include "graze/orbit/search/settled.hpp"
 
 namespace graze {
 namespace {
@@ -110,6 +111,41 @@ TEST(Starts, OfConservativeOrbitsLeadToNoTorus) {
   const double speed = -(0.2 - 1.0 / (1.0 - w * w)) * std::tan(0.5 * duration);
   EXPECT_NEAR(-2.0 * std::cos(duration) + 2.0 * (1.0 - 0.2) / speed * std::sin(duration), -2.0,
               1e-8);
+}
+
+// Motions that settled on doubled orbits of the one-mode beam, wherever: their branch ends at the
+// doubling of the (1, 1) orbits, which have a branch of their own, and is not traced back along the
+// same orbits half a period later, wherever the steps fall.
+TEST(Starts, DoubledOrbitsThatMotionsSettleOnEndAtTheirDoubling) {
+  const Scene scene = support::shipped_scene("05_wagg_one_mode", {"stop.gap=1.05e-3"});
+  const SystemFamily family(scene, "forcing.frequency");
+  BranchOptions options;
+  options.from = 15.0;
+  options.to = 120.0;
+  options.response = false;
+  const OrbitBranches once = trace_orbits(family, options);
+  std::vector<double> doublings;
+  for (const auto& point : support::special_points(once, SpecialKind::kPeriodDoubling))
+    doublings.push_back(point->at.value);
+  options.impacts = 0;
+  for (const double value : {59.62, 59.68, 59.7, 59.75, 59.8, 59.82}) {
+    SCOPED_TRACE(value);
+    const System system = *family.at(value);
+    SettledMotion settled =
+        settle(system, State{Vector::Zero(system.modes()), Vector::Zero(system.modes())});
+    ASSERT_EQ(settled.period, 2);
+    options.settled = {{value, settled.at_start}};
+    const OrbitBranches result = trace_orbits(family, options);
+    ASSERT_EQ(result.branches.size(), 1u);
+    const OrbitBranch& doubled = result.branches.front();
+    EXPECT_EQ(doubled.pattern.period, 2);
+    const bool first = doubled.ends[0] == OrbitBranchEnd::kPeriodDoubling;
+    ASSERT_TRUE(first || doubled.ends[1] == OrbitBranchEnd::kPeriodDoubling);
+    const double end = (first ? doubled.points.front() : doubled.points.back()).value;
+    double nearest = 1.0;
+    for (const double doubling : doublings) nearest = std::min(nearest, std::abs(doubling - end));
+    EXPECT_LE(nearest, 1e-9 * end);
+  }
 }
 
 }  // namespace

@@ -36,8 +36,10 @@ class PieceTracer {
                    Directions directions) const {
     ContinuationOptions range = options_;
     range.proceed = [&](const SolutionPoint& previous, const SolutionPoint& here) {
-      return !orbits->passes_half(previous, here) && orbits.boundaries->goes_on(previous, here) &&
-             !clearer_(orbits, here);
+      // Steps may shrink onto the very point.
+      const bool reaches_half = orbits->is_half(here) && !orbits->is_half(previous);
+      return !reaches_half && !orbits->passes_half(previous, here) &&
+             orbits.boundaries->goes_on(previous, here) && !clearer_(orbits, here);
     };
     range.resolves = [&](const SolutionPoint& from, const SolutionPoint& to) {
       return orbits.boundaries->resolves(from, to);
