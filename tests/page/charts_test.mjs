@@ -1,12 +1,10 @@
 // The page of a chart made by hand (chart_page.cpp), in a browser.
 import assert from 'node:assert/strict';
-import { before, test } from 'node:test';
+import { test } from 'node:test';
 import { openPage, settled } from './browser.mjs';
 import { browser, ground, imageOf, inPage, isShown, pageOfChart, range, rowsOf, saved, text } from './pages.mjs';
 
-let chart;
-
-before(() => { chart = pageOfChart('chart.html'); });
+const chart = pageOfChart('chart.html');
 
 // The pixels about a place of the canvas, by their colours.
 function colourCount(page, { x, y, width, height }, [red, green, blue]) {
@@ -32,7 +30,7 @@ async function inUpper(page, time, displacement) {
   return { x: 92 + part(time, 0, 9, 0.02) * (width - 112), y: 14 + (1 - part(displacement, 0, 10.5, 0.06)) * 3.6 * 58 };
 }
 
-inPage('panels, legend and tables are there', () => chart, async (page) => {
+inPage('panels, legend and tables are there', chart, async (page) => {
   assert.equal(await text(page, 'h1'), 'All of a chart');
   assert.equal(await text(page, '#subtitle'), 'scene.toml · By hand');
   const titles = await page.$$eval('#legend button', (list) => list.map((button) => button.textContent));
@@ -42,7 +40,7 @@ inPage('panels, legend and tables are there', () => chart, async (page) => {
   assert.match(await text(page, '#tables'), /Fitted parametersnamevalue \(m\)stop\.gap0\.001/);
 });
 
-inPage('the pointer is told a value with its error', () => chart, async (page) => {
+inPage('the pointer is told a value with its error', chart, async (page) => {
   const box = await size(page);
   const { x, y } = await inUpper(page, 3, 4);
   await page.mouse.move(box.x + x, box.y + y);
@@ -55,7 +53,7 @@ inPage('the pointer is told a value with its error', () => chart, async (page) =
   assert.ok(!await isShown(page, '#hover'));
 });
 
-inPage('bars of errors are as long as the errors', () => chart, async (page) => {
+inPage('bars of errors are as long as the errors', chart, async (page) => {
   const at = async (displacement) => {
     const { x, y } = await inUpper(page, 3, displacement);
     return colourCount(page, { x: x - 2, y: y - 1, width: 5, height: 2 }, kBlue);
@@ -65,7 +63,7 @@ inPage('bars of errors are as long as the errors', () => chart, async (page) => 
   assert.equal(await at(3.35), 0);
 });
 
-inPage('the legend hides all of one title, in every panel', () => chart, async (page) => {
+inPage('the legend hides all of one title, in every panel', chart, async (page) => {
   const whole = { x: 0, y: 0, width: (await size(page)).width, height: (await size(page)).height };
   assert.ok(await colourCount(page, whole, kBlue) > 300);
   await page.click('#legend button[data-type="measured"]');
@@ -79,7 +77,7 @@ inPage('the legend hides all of one title, in every panel', () => chart, async (
   assert.equal(await colourCount(page, fill, kStop), 0);
 });
 
-inPage('logarithmic axes: a power is a straight line', () => chart, async (page) => {
+inPage('logarithmic axes: a power is a straight line', chart, async (page) => {
   const { width, height } = await size(page);
   // Half the width is the third panel's; over 0 to 3 and −6 to 0, with 5 % more on both sides.
   const half = (width - 112 - 96) / 2, top = height - 50 - 2.6 * 58;
@@ -96,7 +94,7 @@ inPage('logarithmic axes: a power is a straight line', () => chart, async (page)
   assert.ok(found > 30, `${found} of 58, in dashes`);
 });
 
-inPage('panels over one axis are zoomed together, by a rectangle too', () => chart, async (page) => {
+inPage('panels over one axis are zoomed together, by a rectangle too', chart, async (page) => {
   const box = await size(page);
   const [from, to] = [await inUpper(page, 2, 8), await inUpper(page, 6, 2)];
   await page.click('#zoom-box');
@@ -115,7 +113,7 @@ inPage('panels over one axis are zoomed together, by a rectangle too', () => cha
   assert.match(await range(page), /over time from −0\.18 ms to 9\.18 ms/);
 });
 
-inPage('keys go from point to point', () => chart, async (page) => {
+inPage('keys go from point to point', chart, async (page) => {
   await page.focus('#chart');
   await page.keyboard.press('ArrowRight');
   assert.equal(await text(page, '#hover'), 'measuredtime0 msdisplacement u1 mm ± 0.5 mm');
@@ -127,7 +125,7 @@ inPage('keys go from point to point', () => chart, async (page) => {
   assert.equal(await text(page, '#hover'), 'measuredtime0 msresidual1 µm ± 2 µm');
 });
 
-inPage('CSV and PNG have what is shown', () => chart, async (page) => {
+inPage('CSV and PNG have what is shown', chart, async (page) => {
   const rows = rowsOf((await saved(page, '#save-csv')).bytes);
   assert.deepEqual(Object.keys(rows[0]), ['series', 'time (ms)', 'displacement u (mm)', 'residual (µm)', 'steps', 'error (s)',
     'frequency q₁ (rad/s)', 'level (dB re 1 m)', '± displacement u (mm)', '± residual (µm)']);
@@ -143,8 +141,8 @@ inPage('CSV and PNG have what is shown', () => chart, async (page) => {
   assert.equal(image.count('#0072b2'), 0);
 });
 
-test('dark and light differ', async () => {
-  const dark = await openPage(browser, chart, { colorScheme: 'dark' });
+test('a chart in the dark and in the light differ', async () => {
+  const dark = await openPage(browser, chart(), { colorScheme: 'dark' });
   const before = await ground(dark.page);
   await dark.page.click('#theme');
   assert.notEqual(await ground(dark.page), before);

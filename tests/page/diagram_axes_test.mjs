@@ -1,18 +1,15 @@
 // What stands along the axes of a diagram's page, and the names of its special points.
 import assert from 'node:assert/strict';
-import { before, test } from 'node:test';
+import { test } from 'node:test';
 import { join } from 'node:path';
 import { pixelsOf, settled } from './browser.mjs';
-import { folder, inPage, pageOf, range, scene, text, written } from './pages.mjs';
+import { folder, inPage, once, pageOf, range, scene, text, written } from './pages.mjs';
 
-let response, points;
-
-before(() => {
-  response = pageOf('response.html', 'diagram', scene('05_wagg_one_mode.toml'), '--parameter', 'forcing.frequency',
-    '--from', '15', '--to', '120', '--points', '120', '--direction', 'down', '--set', 'stop.gap=1.05e-3', '--amplitudes',
-    '--exponents', '20', '--out', join(folder, 'response'));
-  points = Object.fromEntries(written('response', 'special.csv').map((row) => [row.id, row]));
-});
+const response = pageOf('response.html', 'diagram', scene('05_wagg_one_mode.toml'), '--parameter', 'forcing.frequency',
+  '--from', '15', '--to', '120', '--points', '120', '--direction', 'down', '--set', 'stop.gap=1.05e-3', '--amplitudes',
+  '--exponents', '20', '--out', join(folder, 'response'));
+// The special points by their ids, once the page is there.
+const points = once(() => Object.fromEntries(written('response', 'special.csv').map((row) => [row.id, row])));
 
 // The ranges in view, SI or the units of the page, as those who do not see the picture are told.
 async function inView(page) {
@@ -42,7 +39,7 @@ async function pointedAt(page, ...place) {
 
 const chosen = (page, selector) => page.$eval(selector, (select) => select.selectedOptions[0].textContent);
 
-inPage('all that was measured can stand along both axes', () => response, async (page) => {
+inPage('all that was measured can stand along both axes', response, async (page) => {
   const names = (selector) => page.$$eval(`${selector} option`, (list) => list.map((option) => option.textContent));
   const all = await names('#observable');
   for (const name of ['impact speed', 'forcing phase of the impact', 'amplitude at stop 1', 'largest value at stop 1',
@@ -53,8 +50,8 @@ inPage('all that was measured can stand along both axes', () => response, async 
   assert.equal(await chosen(page, '#abscissa'), 'forcing frequency Ω');
 });
 
-inPage('a special point is found by two of its numbers, and told all', () => response, async (page) => {
-  const { phase, speed } = points.PD2;
+inPage('a special point is found by two of its numbers, and told all', response, async (page) => {
+  const { phase, speed } = points().PD2;
   await page.selectOption('#abscissa', 'phase');
   assert.match(await range(page), /^impact speed from .* over forcing phase of the impact from .* rad/);
   assert.ok(await pixelsOf(page, '#dots') > 200);
@@ -62,16 +59,16 @@ inPage('a special point is found by two of its numbers, and told all', () => res
   assert.match(told, /^PD2: period doubling, \(1,1\)forcing frequency Ω59\.537\d+ rad\/simpact speed0\.02561\d* m\/sforcing phase of the impact3\.103\d* rad/);
 });
 
-inPage('a quantity leaves one axis for the other', () => response, async (page) => {
+inPage('a quantity leaves one axis for the other', response, async (page) => {
   await page.selectOption('#observable', { label: 'forcing frequency Ω' });
   assert.equal(await chosen(page, '#abscissa'), 'impact speed');
   assert.match(await range(page), /^forcing frequency Ω from 15 rad\/s to 120 rad\/s over impact speed from/);
-  const { value, speed } = points.PD2;
+  const { value, speed } = points().PD2;
   assert.match(await pointedAt(page, { x: Number(speed), y: Number(value) }), /^PD2: /);
 });
 
-inPage('scales are linear, logarithmic or in decibels', () => response, async (page) => {
-  const { value, speed } = points.PD2;
+inPage('scales are linear, logarithmic or in decibels', response, async (page) => {
+  const { value, speed } = points().PD2;
   const place = { x: Number(value), y: Number(speed) };
   const linear = await pixelsOf(page, '#dots');
   await page.selectOption('#observable-scale', 'decibel');
@@ -88,7 +85,7 @@ inPage('scales are linear, logarithmic or in decibels', () => response, async (p
   assert.match(await range(page), /^largest exponent from [\d.e·⁻¹²³]+ 1\/s/);
 });
 
-inPage('what is nowhere above zero has no logarithm', () => response, async (page) => {
+inPage('what is nowhere above zero has no logarithm', response, async (page) => {
   const offers = () => page.$eval('#observable-scale', (select) => [...select.options].map((option) => !option.disabled));
   assert.deepEqual(await offers(), [true, true, true]);
   await page.selectOption('#observable-scale', 'log');
@@ -100,7 +97,7 @@ inPage('what is nowhere above zero has no logarithm', () => response, async (pag
   assert.equal(await chosen(page, '#observable-scale'), 'linear');
 });
 
-inPage('amplitudes of motions that meet no stop are there too', () => response, async (page) => {
+inPage('amplitudes of motions that meet no stop are there too', response, async (page) => {
   await page.selectOption('#observable', 'amplitude.stop.1');
   await page.focus('#chart');
   await page.keyboard.press('ArrowRight');
@@ -111,7 +108,7 @@ inPage('amplitudes of motions that meet no stop are there too', () => response, 
 
 // Ink above a mark, where its name stands.
 async function namedAt(page, id) {
-  const { x, y } = await placeOf(page, { x: Number(points[id].value), y: Number(points[id].speed) }, { hertz: true, strip: true });
+  const { x, y } = await placeOf(page, { x: Number(points()[id].value), y: Number(points()[id].speed) }, { hertz: true, strip: true });
   return page.$eval('#chart canvas', (canvas, [px, py]) => {
     const box = canvas.getBoundingClientRect();
     const scale = canvas.width / box.width;
@@ -122,7 +119,7 @@ async function namedAt(page, id) {
   }, [x, y]);
 }
 
-inPage('marks carry their ids, which a button hides', () => response, async (page) => {
+inPage('marks carry their ids, which a button hides', response, async (page) => {
   assert.ok(await namedAt(page, 'PD2') > 10);
   await page.click('#labels');
   await settled(page);
@@ -141,7 +138,7 @@ const inkOf = (page) => page.$eval('#chart canvas', (canvas) => {
   return ink;
 });
 
-inPage('branches carry their names while they are shown', () => response, async (page) => {
+inPage('branches carry their names while they are shown', response, async (page) => {
   const toggle = async (selector) => { await page.click(selector); await settled(page); };
   const buttons = await page.$$eval('#legend button', (list) => list.map(({ dataset }) => dataset.type));
   for (const type of buttons.filter((type) => ['GR', 'PD', 'LP', 'NS'].includes(type))) await toggle(`#legend button[data-type="${type}"]`);
@@ -168,8 +165,8 @@ test('the name of a branch stands in the middle of its longest part in view', as
   assert.deepEqual(branchNames(view, lines, { x: [200, 300], y: [0, 5] }), []);
 });
 
-inPage('the orbit at a special point is titled by its id', () => response, async (page) => {
-  const { x, y } = await placeOf(page, { x: Number(points.PD2.value), y: Number(points.PD2.speed) }, { hertz: true, strip: true });
+inPage('the orbit at a special point is titled by its id', response, async (page) => {
+  const { x, y } = await placeOf(page, { x: Number(points().PD2.value), y: Number(points().PD2.speed) }, { hertz: true, strip: true });
   await page.mouse.click(x, y);
   await settled(page);
   assert.equal(await text(page, '#orbit-title'), 'PD2: period doubling, (1,1)');

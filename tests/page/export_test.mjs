@@ -1,25 +1,20 @@
 // What the pages save: the picture as PNG, the numbers in view as CSV.
 import assert from 'node:assert/strict';
-import { before } from 'node:test';
 import { join } from 'node:path';
 import { settled } from './browser.mjs';
 import { folder, imageOf, inPage, pageOf, range, rowsOf, saved, scene, written } from './pages.mjs';
 
 const kFrequency = 'forcing frequency Ω (rad/s)', kSpeed = 'impact speed (m/s)';
-let diagram, orbits, motion, basins;
-
-before(() => {
-  const oneMode = scene('05_wagg_one_mode.toml');
-  diagram = pageOf('swept.html', 'diagram', oneMode, '--parameter', 'forcing.frequency', '--from', '15', '--to', '120',
-    '--points', '100', '--direction', 'down', '--set', 'stop.gap=1.05e-3', '--out', join(folder, 'swept'));
-  orbits = pageOf('found.html', 'orbit', oneMode, '--set', 'forcing.frequency=40', '--set', 'stop.gap=0.01');
-  motion = pageOf('run.html', 'simulate', scene('02_wagg_momentum.toml'), '--duration', '1', '--energy', '--record', 'samples',
-    '--out', join(folder, 'run'));
-  basins = pageOf('cells.html', 'map', scene('04_impact_oscillator.toml'), '--set', 'forcing.frequency=1.6', '--set', 'stop.gap=0.5',
-    '--set', 'forcing.amplitude=0.5', '--set', 'initial.q=[0.0]', '--parameter', 'initial.q.1', '--from', '-4', '--to', '0.4',
-    '--points', '12', '--second', 'initial.qdot.1', '--second-from', '-4', '--second-to', '4', '--second-points', '9',
-    '--out', join(folder, 'cells'));
-});
+const oneMode = scene('05_wagg_one_mode.toml');
+const diagram = pageOf('swept.html', 'diagram', oneMode, '--parameter', 'forcing.frequency', '--from', '15', '--to', '120',
+  '--points', '100', '--direction', 'down', '--set', 'stop.gap=1.05e-3', '--out', join(folder, 'swept'));
+const orbits = pageOf('orbits.html', 'orbit', oneMode, '--set', 'forcing.frequency=40', '--set', 'stop.gap=0.01');
+const motion = pageOf('run.html', 'simulate', scene('02_wagg_momentum.toml'), '--duration', '1', '--energy', '--record', 'samples',
+  '--out', join(folder, 'run'));
+const basins = pageOf('cells.html', 'map', scene('04_impact_oscillator.toml'), '--set', 'forcing.frequency=1.6', '--set', 'stop.gap=0.5',
+  '--set', 'forcing.amplitude=0.5', '--set', 'initial.q=[0.0]', '--parameter', 'initial.q.1', '--from', '-4', '--to', '0.4',
+  '--points', '12', '--second', 'initial.qdot.1', '--second-from', '-4', '--second-to', '4', '--second-points', '9',
+  '--out', join(folder, 'cells'));
 
 const csvOf = async (page) => {
   const { name, bytes } = await saved(page, '#save-csv');
@@ -37,7 +32,7 @@ function assertAlike(found, expected, part) {
   a.forEach((value, i) => assert.ok(near(value, b[i], part), `${value} is not ${b[i]}`));
 }
 
-inPage('the CSV of a diagram has the numbers of the run', () => diagram, async (page) => {
+inPage('the CSV of a diagram has the numbers of the run', diagram, async (page) => {
   const { name, bytes } = await saved(page, '#save-csv');
   assert.equal(name, 'swept.csv');
   const rows = rowsOf(bytes);
@@ -52,7 +47,7 @@ inPage('the CSV of a diagram has the numbers of the run', () => diagram, async (
   }
 });
 
-inPage('what is hidden or out of view is not saved, what is shown otherwise is', () => diagram, async (page) => {
+inPage('what is hidden or out of view is not saved, what is shown otherwise is', diagram, async (page) => {
   const series = (rows) => new Set(rows.map((row) => row.series));
   const before = await csvOf(page);
   assert.ok(series(before).has('stable') && series(before).has('sweep: not periodic'));
@@ -73,7 +68,7 @@ inPage('what is hidden or out of view is not saved, what is shown otherwise is',
   assert.ok(Object.keys((await csvOf(page))[0]).includes('forcing phase of the impact (dB re 1 rad)'));
 });
 
-inPage('the PNG has title, dots, lines, marks and legend', () => diagram, async (page) => {
+inPage('the PNG has title, dots, lines, marks and legend', diagram, async (page) => {
   const { name, bytes } = await saved(page, '#save-png');
   assert.equal(name, 'swept.png');
   const image = await imageOf(page, bytes);
@@ -93,12 +88,12 @@ inPage('the PNG has title, dots, lines, marks and legend', () => diagram, async 
   assert.equal(without.count('#aa3377'), 0);
 });
 
-inPage('in the dark the PNG is dark', () => diagram, async (page) => {
+inPage('in the dark the PNG is dark', diagram, async (page) => {
   const image = await imageOf(page, (await saved(page, '#save-png')).bytes);
   assert.equal(image.at(3, 3), '#15181c');
 }, { colorScheme: 'dark' });
 
-inPage('the CSV of orbits has the curves that are shown', () => orbits, async (page) => {
+inPage('the CSV of orbits has the curves that are shown', orbits, async (page) => {
   const rows = await csvOf(page);
   assert.deepEqual(Object.keys(rows[0]).slice(0, 3), ['orbit', 'stability', 'time (forcing periods)']);
   const [, , , x, v] = Object.keys(rows[0]);
@@ -112,7 +107,7 @@ inPage('the CSV of orbits has the curves that are shown', () => orbits, async (p
   assert.deepEqual([...new Set((await csvOf(page)).map(({ stability }) => stability))], ['unstable']);
 });
 
-inPage('the CSV of a motion has its samples and impacts', () => motion, async (page) => {
+inPage('the CSV of a motion has its samples and impacts', motion, async (page) => {
   const rows = await csvOf(page);
   const [time, displacement] = Object.keys(rows[0]);
   assert.equal(time, 'time (s)');
@@ -126,7 +121,7 @@ inPage('the CSV of a motion has its samples and impacts', () => motion, async (p
   assert.ok(!Object.keys((await csvOf(page))[0]).some((name) => name.startsWith('velocity before')));
 });
 
-inPage('the CSV of a map has the cells that are shown', () => basins, async (page) => {
+inPage('the CSV of a map has the cells that are shown', basins, async (page) => {
   const rows = await csvOf(page);
   assert.equal(rows.length, 12 * 9);
   const cells = written('cells', 'map.csv');
@@ -143,7 +138,7 @@ inPage('the CSV of a map has the cells that are shown', () => basins, async (pag
   assert.ok(left.length > 0 && left.length < rows.length && left.every(({ of }) => !of.startsWith('clear')));
 });
 
-inPage('the PNG of a map has its cells, and its bar of colours', () => basins, async (page) => {
+inPage('the PNG of a map has its cells, and its bar of colours', basins, async (page) => {
   await page.selectOption('#observable', 'impacts');
   const image = await imageOf(page, (await saved(page, '#save-png')).bytes);
   assert.ok(image.count('#fde725', 56, image.height - 60) > 5000, 'cells of one impact');

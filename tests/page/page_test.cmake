@@ -1,4 +1,4 @@
-# Runs a file of tests of pages in Chromium, or without -DTEST installs what they need:
+# Runs the tests of pages in one Chromium, all or those of a file:
 #   cmake [-DTEST=x_test.mjs] -DPROGRAM=.. -DCHARTS=.. -DSOURCE=.. -DSCENES=.. -DSCRATCH=.. -P ..
 # Without a browser, npm or the page it is skipped; where CI is set, that is a failure.
 find_program(NODE NAMES node nodejs)
@@ -23,18 +23,17 @@ if(missing)
   return()
 endif()
 
-if(NOT DEFINED TEST)
-  file(MAKE_DIRECTORY ${SCRATCH})
-  file(SHA256 ${SOURCE}/package-lock.json lock)
-  if(NOT EXISTS ${SCRATCH}/packages_${lock})
-    file(COPY ${SOURCE}/package.json ${SOURCE}/package-lock.json ${SOURCE}/.npmrc DESTINATION ${SCRATCH})
-    execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --loglevel=error
-      WORKING_DIRECTORY ${SCRATCH} COMMAND_ERROR_IS_FATAL ANY)
-    file(TOUCH ${SCRATCH}/packages_${lock})
-  endif()
-  file(GLOB modules ${SOURCE}/*.mjs)
-  file(COPY ${modules} DESTINATION ${SCRATCH})
-  return()
+file(MAKE_DIRECTORY ${SCRATCH})
+file(SHA256 ${SOURCE}/package-lock.json lock)
+if(NOT EXISTS ${SCRATCH}/packages_${lock})
+  file(COPY ${SOURCE}/package.json ${SOURCE}/package-lock.json ${SOURCE}/.npmrc DESTINATION ${SCRATCH})
+  execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --loglevel=error
+    WORKING_DIRECTORY ${SCRATCH} COMMAND_ERROR_IS_FATAL ANY)
+  file(TOUCH ${SCRATCH}/packages_${lock})
 endif()
-execute_process(COMMAND ${NODE} ${TEST} ${PROGRAM} ${SCENES} ${CHROMIUM} ${CHARTS}
+file(GLOB modules ${SCRATCH}/*.mjs)
+file(REMOVE ${modules})
+file(GLOB modules ${SOURCE}/*.mjs)
+file(COPY ${modules} DESTINATION ${SCRATCH})
+execute_process(COMMAND ${NODE} all.mjs ${PROGRAM} ${SCENES} ${CHROMIUM} ${CHARTS} ${TEST}
   WORKING_DIRECTORY ${SCRATCH} COMMAND_ERROR_IS_FATAL ANY)

@@ -1,5 +1,5 @@
 // What the tests of pages have in common: pages of commands, and what is asked of them in a browser.
-//   node x_test.mjs PROGRAM SCENES CHROMIUM CHARTS
+//   node all.mjs PROGRAM SCENES CHROMIUM CHARTS [x_test.mjs ..]
 import assert from 'node:assert/strict';
 import { execFileSync, execSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
@@ -20,19 +20,29 @@ after(async () => {
   rmSync(folder, { recursive: true, force: true });
 });
 
-// The page of a command.
-export function pageOf(name, ...arguments_) {
-  const file = join(folder, name);
-  execFileSync(program, [...arguments_, '--quiet', '--plot', file], { stdio: ['ignore', 'ignore', 'inherit'] });
-  return file;
+// What is made when it is first asked for, and once.
+export function once(make) {
+  let made;
+  return () => (made ??= make());
 }
 
-// The page of the chart of chart_page.cpp.
-export function pageOfChart(name) {
-  const file = join(folder, name);
-  execFileSync(charts, [file]);
-  return file;
+const pages = new Map();  // by their names: the command, and what makes the page
+function pageBy(name, ...command) {
+  const words = JSON.stringify(command);
+  const known = pages.get(name);
+  if (known) assert.equal(known.words, words, `two pages are called ${name}`);
+  else pages.set(name, { words, page: once(() => {
+    execFileSync(...command, { stdio: ['ignore', 'ignore', 'inherit'] });
+    return join(folder, name);
+  }) });
+  return pages.get(name).page;
 }
+
+// The page of a command; files of tests that ask for the same one share it.
+export const pageOf = (name, ...arguments_) => pageBy(name, program, [...arguments_, '--quiet', '--plot', join(folder, name)]);
+
+// The page of the chart of chart_page.cpp.
+export const pageOfChart = (name) => pageBy(name, charts, [join(folder, name)]);
 
 // What a command line that a page shows prints, as JSON; what it draws goes among the pages.
 export function again(command) {
@@ -85,6 +95,7 @@ export const written = (...path) => rowsOf(readFileSync(join(folder, ...path)));
 
 // Of an image that was saved: how wide and high, and its pixels as "#rrggbb".
 export async function imageOf(page, bytes) {
+  // As text: what a page returns is otherwise read number by number, seconds for an image.
   const { width, height, data } = await page.evaluate(async (source) => {
     const image = new Image();
     image.src = `data:image/png;base64,${source}`;
@@ -93,13 +104,22 @@ export async function imageOf(page, bytes) {
     Object.assign(canvas, { width: image.width, height: image.height });
     const context = canvas.getContext('2d');
     context.drawImage(image, 0, 0);
-    return { width: image.width, height: image.height, data: Array.from(context.getImageData(0, 0, image.width, image.height).data) };
+    const pixels = new Blob([context.getImageData(0, 0, image.width, image.height).data]);
+    const address = await new Promise((done) => {
+      const reader = new FileReader();
+      reader.onload = () => done(reader.result);
+      reader.readAsDataURL(pixels);
+    });
+    return { width: image.width, height: image.height, data: address.slice(address.indexOf(',') + 1) };
   }, bytes.toString('base64'));
-  const at = (x, y) => `#${[0, 1, 2].map((k) => data[4 * (y * width + x) + k].toString(16).padStart(2, '0')).join('')}`;
+  const pixels = Buffer.from(data, 'base64');
+  const colour = (x, y) => pixels.readUIntBE(4 * (y * width + x), 3);
+  const at = (x, y) => `#${colour(x, y).toString(16).padStart(6, '0')}`;
   // How many pixels of a colour lie between two heights.
-  const count = (colour, top = 0, bottom = height) => {
+  const count = (sought, top = 0, bottom = height) => {
+    const number = Number.parseInt(sought.slice(1), 16);
     let found = 0;
-    for (let y = top; y < bottom; ++y) for (let x = 0; x < width; ++x) if (at(x, y) === colour) ++found;
+    for (let y = top; y < bottom; ++y) for (let x = 0; x < width; ++x) if (colour(x, y) === number) ++found;
     return found;
   };
   return { width, height, at, count };

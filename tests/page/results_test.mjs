@@ -1,6 +1,5 @@
 // The pages of fit, cost, compare and of loci with regions, in a browser: each from its command.
 import assert from 'node:assert/strict';
-import { before } from 'node:test';
 import { join } from 'node:path';
 import { pixelsOf, settled } from './browser.mjs';
 import { again, folder, inPage, isShown, pageOf, range, rowsOf, saved, scene, text, written } from './pages.mjs';
@@ -8,22 +7,18 @@ import { again, folder, inPage, isShown, pageOf, range, rowsOf, saved, scene, te
 const oneMode = scene('05_wagg_one_mode.toml');
 const plane = ['--parameter', 'forcing.frequency', '--from', '20', '--to', '100', '--second', 'stop.gap', '--second-from', '0.5e-3',
   '--second-to', '2e-3'];
-let fit, motions, agreement, loci, regions, sensitivity, cost;
-
-before(() => {
-  const measured = (name) => scene(join('..', 'measurements', name));
-  fit = pageOf('fit.html', 'fit', measured('restitution.toml'), measured('restitution.csv'), '--out', join(folder, 'fit'));
-  motions = pageOf('motions.html', 'compare', scene('02_wagg_momentum.toml'), '--against', 'stop.impulse="collocation"',
-    '--duration', '2', '--last', '0.5', '--out', join(folder, 'motions'));
-  agreement = pageOf('agreement.html', 'compare', oneMode, '--against', 'stop.restitution=0.7', ...plane, '--points', '9',
-    '--second-points', '7', '--periods', '200', '--out', join(folder, 'agreement'));
-  loci = pageOf('loci.html', 'continue', oneMode, '--locus', 'PD,LP,GR', ...plane, '--slices', '2', '--out', join(folder, 'loci'));
-  regions = pageOf('regions.html', 'continue', oneMode, '--locus', 'PD', ...plane, '--slices', '1', '--regions', '8',
-    '--out', join(folder, 'regions'));
-  sensitivity = pageOf('sensitivity.html', 'compare', scene('20_yigit_sensitivity.toml'), '--sensitivity', '--duration', '0.2',
-    '--parameter', 'stop.spring.damping.coefficient', '--from', '0', '--to', '1000', '--points', '3', '--out', join(folder, 'sensitivity'));
-  cost = pageOf('cost.html', 'cost', scene('04_impact_oscillator.toml'), '--out', join(folder, 'cost'));
-});
+const measured = (name) => scene(join('..', 'measurements', name));
+const fit = pageOf('fit.html', 'fit', measured('restitution.toml'), measured('restitution.csv'), '--out', join(folder, 'fit'));
+const motions = pageOf('motions.html', 'compare', scene('02_wagg_momentum.toml'), '--against', 'stop.impulse="collocation"',
+  '--duration', '2', '--last', '0.5', '--out', join(folder, 'motions'));
+const agreement = pageOf('agreement.html', 'compare', oneMode, '--against', 'stop.restitution=0.7', ...plane, '--points', '9',
+  '--second-points', '7', '--periods', '200', '--out', join(folder, 'agreement'));
+const loci = pageOf('loci.html', 'continue', oneMode, '--locus', 'PD,LP,GR', ...plane, '--slices', '2', '--out', join(folder, 'loci'));
+const regions = pageOf('regions.html', 'continue', oneMode, '--locus', 'PD', ...plane, '--slices', '1', '--regions', '8',
+  '--out', join(folder, 'regions'));
+const sensitivity = pageOf('sensitivity.html', 'compare', scene('20_yigit_sensitivity.toml'), '--sensitivity', '--duration', '0.2',
+  '--parameter', 'stop.spring.damping.coefficient', '--from', '0', '--to', '1000', '--points', '3', '--out', join(folder, 'sensitivity'));
+const cost = pageOf('cost.html', 'cost', scene('04_impact_oscillator.toml'), '--out', join(folder, 'cost'));
 
 const titles = (page) => page.$$eval('#legend button', (list) => list.map((button) => button.textContent));
 const csvOf = async (page) => rowsOf((await saved(page, '#save-csv')).bytes);
@@ -37,7 +32,7 @@ async function placeOf(page, [x, y], [low, high], [bottom, top], upper) {
   };
 }
 
-inPage('a fit is a chart of its values, residuals and parameters', () => fit, async (page) => {
+inPage('a fit is a chart of its values, residuals and parameters', fit, async (page) => {
   assert.deepEqual((await titles(page)).slice(0, 2), ['measured', 'fitted']);
   const rows = (await csvOf(page)).filter(({ series }) => series === 'measured');
   const data = written('fit', 'fit.csv');
@@ -55,7 +50,7 @@ inPage('a fit is a chart of its values, residuals and parameters', () => fit, as
   assert.match(await text(page, '#hover'), /^measured/);
 });
 
-inPage('two motions stand in one chart', () => motions, async (page) => {
+inPage('two motions stand in one chart', motions, async (page) => {
   assert.match(await range(page), /displacement.* over time from 1\.49\d* s to 2\.01 s/);
   assert.equal((await titles(page)).filter((title) => /collocation|scene/.test(title)).length, 2);
   const told = await text(page, '#tables');
@@ -66,7 +61,7 @@ inPage('two motions stand in one chart', () => motions, async (page) => {
   assert.ok(await pixelsOf(page, '#chart canvas') < all);
 });
 
-inPage('a map of a comparison has its cells, and its command compares them', () => agreement, async (page) => {
+inPage('a map of a comparison has its cells, and its command compares them', agreement, async (page) => {
   assert.match(await text(page, 'h1'), /against stop\.restitution=0\.7/);
   const cells = written('agreement', 'comparison.csv');
   const rows = await csvOf(page);
@@ -90,7 +85,7 @@ inPage('a map of a comparison has its cells, and its command compares them', () 
   assert.equal(again(command).outcome, 'compared');
 });
 
-inPage('loci are drawn, pointed at and named', () => loci, async (page) => {
+inPage('loci are drawn, pointed at and named', loci, async (page) => {
   assert.equal(await text(page, 'h1'), 'Loci of special points');
   const legend = await titles(page);
   for (const title of ['period doubling (PD)', 'grazing (GR)']) assert.ok(legend.includes(title), `${legend}`);
@@ -119,7 +114,7 @@ inPage('loci are drawn, pointed at and named', () => loci, async (page) => {
   assert.ok(await pixelsOf(page, '#chart canvas') < bare);
 });
 
-inPage('regions are cells under the loci, named by what is stable there', () => regions, async (page) => {
+inPage('regions are cells under the loci, named by what is stable there', regions, async (page) => {
   assert.equal(await text(page, 'h1'), 'Stable motions and loci');
   const places = written('regions', 'regions.csv');
   assert.equal(places.length, 64);
@@ -140,7 +135,7 @@ inPage('regions are cells under the loci, named by what is stable there', () => 
   if (/^\(1,1\)/.test(title)) assert.ok(outcome === 'found' && orbits.some(({ period, impacts, stable }) => period === 1 && impacts === 1 && stable));
 });
 
-inPage('sensitivities are curves over the parameter', () => sensitivity, async (page) => {
+inPage('sensitivities are curves over the parameter', sensitivity, async (page) => {
   const rows = await csvOf(page);
   const table = written('sensitivity', 'sensitivity.csv');
   const of = (column, list) => list.map((row) => row[column]).filter((value) => value !== '' && value !== undefined).map(Number).sort((a, b) => a - b);
@@ -155,7 +150,7 @@ inPage('sensitivities are curves over the parameter', () => sensitivity, async (
   assert.match(await text(page, '#tables'), /Largest sensitivitiesprobe\|s1\| \(%\)\|s2\| \(%\)1 /);
 });
 
-inPage('costs are lines over logarithmic axes', () => cost, async (page) => {
+inPage('costs are lines over logarithmic axes', cost, async (page) => {
   assert.match(await range(page), /^largest error of an impact time from .* µs to .* µs over computing time per forcing period from .* [mµ]?s to /);
   const legend = await titles(page);
   const flows = new Set(written('cost', 'costs.csv').map(({ flow }) => flow));

@@ -3,18 +3,14 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { before, test } from 'node:test';
+import { test } from 'node:test';
 import { openPage, pixelsOf, placeOf, settled } from './browser.mjs';
 import { again, browser, folder, ground, inPage, isShown, pageOf, program, range, rowsOf, scene, text } from './pages.mjs';
 
-let sticks, supports, far, ball;
-
-before(() => {
-  sticks = pageOf('sticks.html', 'simulate', scene('02_wagg_momentum.toml'), '--duration', '1', '--energy');
-  supports = pageOf('supports.html', 'simulate', scene('10_two_supports.toml'), '--duration', '0.3');
-  far = pageOf('far.html', 'simulate', scene('07_two_stops.toml'), '--duration', '1', '--set', 'stop.2.gap=0.3');
-  ball = pageOf('ball.html', 'simulate', scene('06_bouncing_ball.toml'), '--duration', '1');
-});
+const sticks = pageOf('sticks.html', 'simulate', scene('02_wagg_momentum.toml'), '--duration', '1', '--energy');
+const supports = pageOf('two supports.html', 'simulate', scene('10_two_supports.toml'), '--duration', '0.3');
+const far = pageOf('far.html', 'simulate', scene('07_two_stops.toml'), '--duration', '1', '--set', 'stop.2.gap=0.3');
+const ball = pageOf('ball.html', 'simulate', scene('06_bouncing_ball.toml'), '--duration', '1');
 
 // The rows of the samples of the run of `sticks` at a rate.
 async function recordedAt(rate) {
@@ -30,7 +26,7 @@ async function places(page) {
   return { at: (part) => left + part * (right - left), top: box.y + 60, left, right };
 }
 
-inPage('a motion is drawn, with impacts, stuck phase, force and energy', () => sticks, async (page) => {
+inPage('a motion is drawn, with impacts, stuck phase, force and energy', sticks, async (page) => {
   assert.equal(await text(page, 'h1'), 'Motion');
   assert.match(await range(page), /^Motion from 0 s to 1 s: displacement, velocity, contact force, energy, work\./);
   assert.ok(await pixelsOf(page, '#chart canvas') > 5000);
@@ -41,7 +37,7 @@ inPage('a motion is drawn, with impacts, stuck phase, force and energy', () => s
 });
 
 // The stop of this scene stands below the tip: what goes towards it is minus u.
-inPage('the beam bends as its tip moves, and plays', () => sticks, async (page) => {
+inPage('the beam bends as its tip moves, and plays', sticks, async (page) => {
   assert.ok(await isShown(page, '#beam'));
   const tip = async (k) => {
     await page.$eval('#beam input', (slider, to) => { slider.value = to; slider.dispatchEvent(new Event('input')); }, k);
@@ -66,11 +62,11 @@ inPage('the beam bends as its tip moves, and plays', () => sticks, async (page) 
   assert.equal(await text(page, '#beam button'), 'Play');
 });
 
-inPage('what has no length has no beam', () => ball, async (page) => {
+inPage('what has no length has no beam', ball, async (page) => {
   assert.ok(!await isShown(page, '#beam'));
 });
 
-inPage('the pointer is told the moment under it', () => sticks, async (page) => {
+inPage('the pointer is told the moment under it', sticks, async (page) => {
   const { at, top } = await places(page);
   await page.mouse.move(at(0.45), top);
   const told = await text(page, '#hover');
@@ -80,7 +76,7 @@ inPage('the pointer is told the moment under it', () => sticks, async (page) => 
   assert.ok(!await isShown(page, '#hover') && !await isShown(page, '#cursor'));
 });
 
-inPage('wheel, rectangle, buttons and keys zoom in time', () => sticks, async (page) => {
+inPage('wheel, rectangle, buttons and keys zoom in time', sticks, async (page) => {
   const whole = await range(page);
   const { at, top } = await places(page);
   await page.mouse.move(at(0.5412895), top);
@@ -114,7 +110,7 @@ inPage('wheel, rectangle, buttons and keys zoom in time', () => sticks, async (p
   assert.match(await text(page, '#hover'), /contact force\d{2}\.\d+ mN/);
 });
 
-inPage('a click keeps a moment, keys go from impact to impact', () => sticks, async (page) => {
+inPage('a click keeps a moment, keys go from impact to impact', sticks, async (page) => {
   const { at, top } = await places(page);
   await page.mouse.click(at(0.773648536), top);
   await settled(page);
@@ -132,7 +128,7 @@ inPage('a click keeps a moment, keys go from impact to impact', () => sticks, as
   assert.ok(await isShown(page, '#orbit'));
 });
 
-inPage('the legend hides impacts and curves', () => sticks, async (page) => {
+inPage('the legend hides impacts and curves', sticks, async (page) => {
   let last = await pixelsOf(page, '#chart canvas');
   for (const type of ['impacts', 'stuck', '3 0']) {
     await page.click(`#legend button[data-type="${type}"]`);
@@ -143,13 +139,13 @@ inPage('the legend hides impacts and curves', () => sticks, async (page) => {
   }
 });
 
-inPage('the command makes the page again', () => sticks, async (page) => {
+inPage('the command makes the page again', sticks, async (page) => {
   const command = await text(page, '#orbit-command');
   const run = again(command);
   assert.equal(run.events.filter(({ kind }) => kind === 'impact').length, 82);
 });
 
-inPage('places with stops have a panel and a portrait each', () => supports, async (page) => {
+inPage('places with stops have a panel and a portrait each', supports, async (page) => {
   assert.match(await range(page), /displacement, displacement, velocity, contact force/);
   assert.ok(await isShown(page, '#orbit-place'));
   const first = await text(page, '#orbit-facts');
@@ -159,17 +155,17 @@ inPage('places with stops have a panel and a portrait each', () => supports, asy
   assert.ok(stops.length > 0 && stops.every((stop) => stop === '2'), `${stops}`);
 });
 
-inPage('a stop far off the motion does not press it flat', () => far, async (page) => {
+inPage('a stop far off the motion does not press it flat', far, async (page) => {
   assert.equal(await text(page, '#orbit-remark'), 'Beyond the picture lies stop 2, at −300 mm.');
 });
 
-inPage('a ball needs no forcing', () => ball, async (page) => {
+inPage('a ball needs no forcing', ball, async (page) => {
   assert.match(await range(page), /^Motion from 0 s to 1 s/);
   await placeOf(page, '#chart canvas', { x: 0.3, y: 0.2 }, [60, 140]);
 });
 
-test('dark and light differ', async () => {
-  const dark = await openPage(browser, sticks, { colorScheme: 'dark' });
+test('a motion in the dark and in the light differ', async () => {
+  const dark = await openPage(browser, sticks(), { colorScheme: 'dark' });
   const before = await ground(dark.page);
   await placeOf(dark.page, '#chart canvas', { x: 0.5, y: 0.8 }, [225, 255]);  // the energy is white there
   await dark.page.click('#theme');
