@@ -6,7 +6,7 @@ import { pixelsOf, settled } from './browser.mjs';
 import { folder, inPage, once, pageOf, range, scene, text, written } from './pages.mjs';
 
 const response = pageOf('response.html', 'diagram', scene('05_wagg_one_mode.toml'), '--parameter', 'forcing.frequency',
-  '--from', '15', '--to', '120', '--points', '120', '--direction', 'down', '--set', 'stop.gap=1.05e-3', '--amplitudes',
+  '--from', '15', '--to', '120', '--points', '120', '--direction', 'down', '--set', 'stop.gap=1.05e-3', '--branches', 'all', '--amplitudes',
   '--exponents', '20', '--out', join(folder, 'response'));
 // The special points by their ids, once the page is there.
 const points = once(() => Object.fromEntries(written('response', 'special.csv').map((row) => [row.id, row])));

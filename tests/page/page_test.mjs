@@ -11,7 +11,7 @@ const oneMode = scene('05_wagg_one_mode.toml');
 const kBlack = [0, 40], kGrey = [120, 200];
 
 const diagram = pageOf('diagram.html', 'diagram', oneMode, '--parameter', 'forcing.frequency', '--from', '15',
-  '--to', '120', '--points', '400', '--direction', 'down', '--set', 'stop.gap=1.05e-3');
+  '--to', '120', '--points', '400', '--direction', 'down', '--set', 'stop.gap=1.05e-3', '--branches', 'all');
 const exponents = pageOf('exponents.html', 'diagram', oneMode, '--parameter', 'forcing.frequency', '--from', '55',
   '--to', '75', '--points', '80', '--exponents', '100', '--branches', 'none');
 const gap = pageOf('gap.html', 'continue', oneMode, '--set', 'forcing.frequency=40', '--parameter', 'stop.gap',
