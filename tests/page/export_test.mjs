@@ -7,7 +7,7 @@ import { folder, imageOf, inPage, pageOf, range, rowsOf, saved, scene, written }
 const kFrequency = 'forcing frequency Ω (rad/s)', kSpeed = 'impact speed (m/s)';
 const oneMode = scene('05_wagg_one_mode.toml');
 const diagram = pageOf('swept.html', 'diagram', oneMode, '--parameter', 'forcing.frequency', '--from', '15', '--to', '120',
-  '--points', '100', '--direction', 'down', '--set', 'stop.gap=1.05e-3', '--out', join(folder, 'swept'));
+  '--points', '100', '--direction', 'down', '--set', 'stop.gap=1.05e-3', '--branches', 'all', '--out', join(folder, 'swept'));
 const orbits = pageOf('orbits.html', 'orbit', oneMode, '--set', 'forcing.frequency=40', '--set', 'stop.gap=0.01');
 const motion = pageOf('run.html', 'simulate', scene('02_wagg_momentum.toml'), '--duration', '1', '--energy', '--record', 'samples',
   '--out', join(folder, 'run'));
