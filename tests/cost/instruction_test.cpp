@@ -43,7 +43,7 @@ class SceneFile {
 
 double of_free_motion(const std::string& more) {
   const SceneFile file(kFree + more);
-  return cost::per_period({file.path(), 200, 20});
+  return cost::per_period({file.path(), 50, 20});
 }
 
 // They are part of the modes: an assembled system has them in its numbers, not in more work.
@@ -94,7 +94,7 @@ TEST_F(Instructions, WhatIsNotAskedForIsNotCalled) {
 
 // Not asserted: what effects that are there cost, for the table.
 TEST_F(Instructions, OfEffectsThatAreThere) {
-  const CountedRun beam{"02_wagg_momentum", 100, 0, false, {"stop.gap=5e-3"}};
+  const CountedRun beam{"02_wagg_momentum", 40, 0, false, {"stop.gap=5e-3"}};
   const double plain = cost::per_period(beam);
   const auto note = [&](const std::string& effect, const CountedRun& run) {
     const double with = cost::per_period(run);
