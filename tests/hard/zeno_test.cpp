@@ -5,6 +5,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
@@ -239,17 +240,24 @@ TEST(HardCases, Z3ReleaseIsLeftOnceAndTheNextImpactIsMet) {
       const Real w = frequency, s = stop, start = acos(s) / w;
       const Real amplitude = 1 / (1 - w * w);
       const Real c = s - amplitude * s, d = amplitude * w * sin(w * start);
-      const auto gap = [&](const Real& t) {
-        return s - (c * cos(t - start) + d * sin(t - start) + amplitude * cos(w * t));
+      const auto gap = [&](const auto& t) {
+        using T = std::decay_t<decltype(t)>;
+        using std::cos, std::sin;
+        const T since = t - static_cast<T>(start);
+        return T(static_cast<T>(s) -
+                 (static_cast<T>(c) * cos(since) + static_cast<T>(d) * sin(since) +
+                  static_cast<T>(amplitude) * cos(static_cast<T>(w) * t)));
       };
       // The gap is positive at once; its next zero by marching far below its scales, then halving.
-      Real low = start + Real(1) / 64;
-      ASSERT_GT(gap(low), 0);
-      Real high = low;
-      while (gap(high) > 0) {
-        low = high;
-        high += Real(1) / 4096;
+      double first = static_cast<double>(start) + 1.0 / 64, past = first;
+      ASSERT_GT(gap(past), 0.0);
+      while (gap(past) > 0.0) {
+        first = past;
+        past += 1.0 / 4096;
       }
+      Real low = first, high = past;
+      ASSERT_GT(gap(low), 0);
+      ASSERT_LE(gap(high), 0);
       for (int i = 0; i < 100; ++i) {
         const Real middle = (low + high) / 2;
         (gap(middle) > 0 ? low : high) = middle;
