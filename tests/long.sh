@@ -5,7 +5,7 @@
 # - every command of tests/results/commands.txt under the address and undefined-behaviour sanitizers;
 # - the program so built against scenes, options and journals that are nearly right, FUZZ_SECONDS
 #   (default 300) long;
-# - a stable motion over ten million forcing periods;
+# - a stable motion over ten million forcing periods, and loci of sticking orbits at ten places each;
 # - the scripts that the independent numbers of data/validation are from, against those numbers;
 # - graze-mpi with 1 to 8 ranks, and after 100 kills, against the program (tests/mpi);
 # - the Python package against the program on every command of tests/results/commands.txt, its memory over
@@ -36,8 +36,10 @@ failed=0
 echo "== pages"
 bash tests/docs/long.sh > "$logs/pages.log" 2>&1 || { failed=1; tail -n 20 "$logs/pages.log"; }
 
-echo "== ten million periods"
-{ cmake --build --preset release --target test_hard && GRAZE_LONG=1 build/tests/test_hard --gtest_filter=HardCases.M7LongTime; } \
+echo "== ten million periods, ten slices of loci"
+{ cmake --build --preset release --target test_hard test_bifurcation &&
+  GRAZE_LONG=1 build/tests/test_hard --gtest_filter=HardCases.M7LongTime &&
+  GRAZE_LONG=1 build/tests/test_bifurcation --gtest_filter='Planes/*'; } \
   > "$logs/periods.log" 2>&1 || { failed=1; tail -n 20 "$logs/periods.log"; }
 
 echo "== validation"

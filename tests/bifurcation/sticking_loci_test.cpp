@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
@@ -84,11 +86,18 @@ struct Plane {
 // Names tests.
 void PrintTo(const Plane& plane, std::ostream* out) { *out << plane.name; }
 
+// Which of ten places along a locus are looked at: four, all where GRAZE_LONG is set, as
+// tests/long.sh does.
+std::vector<std::size_t> places_of_ten() {
+  if (std::getenv("GRAZE_LONG")) return {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+  return {0, 3, 6, 9};
+}
+
 class StickingLoci : public ::testing::TestWithParam<Plane> {};
 
 // The first parameter where a locus has a value of the second, by the branch over the first there,
 // from the orbit of the nearest point.
-TEST_P(StickingLoci, PassTheSpecialPointsOfTenSlices) {
+TEST_P(StickingLoci, PassTheSpecialPointsOfSlices) {
   const Plane& plane = GetParam();
   LociOptions options = options_of(plane, plane.kind, 1);
   options.branches.max_step = plane.max_step;
@@ -98,9 +107,8 @@ TEST_P(StickingLoci, PassTheSpecialPointsOfTenSlices) {
   ASSERT_NE(found, result.loci.end()) << result.starts << " starts, " << result.lost_starts;
   const std::vector<OrbitLocusPoint>& points = found->points;
   ASSERT_GE(points.size(), 10u);
-  int compared = 0;
-  for (int i = 0; i < 10; ++i) {
-    const OrbitLocusPoint& point = points[points.size() * static_cast<std::size_t>(2 * i + 1) / 20];
+  for (const std::size_t i : places_of_ten()) {
+    const OrbitLocusPoint& point = points[points.size() * (2 * i + 1) / 20];
     SCOPED_TRACE(std::to_string(point.value) + ", " + std::to_string(point.second));
     const Scene there = with_parameter(plane.scene, plane.second, point.second);
     BranchOptions slice;
@@ -113,13 +121,15 @@ TEST_P(StickingLoci, PassTheSpecialPointsOfTenSlices) {
     at.label = label_of(plane.kind);
     at.followed = SpecialOrbit::Followed{found->pattern.period, point.value, point.section->states,
                                          point.section->closure_speed};
-    slice.start = BranchStart{at, false, false};
-    OrbitBranches traced = trace_orbits(
-        SystemFamily(with_parameter(there, plane.first, point.value), plane.first), slice);
-    // From a fold itself a branch leads away on both sides of it, and at a grazing it has a corner.
-    if (plane.special != SpecialKind::kPeriodDoubling && plane.special != SpecialKind::kTorus) {
+    OrbitBranches traced;
+    if (plane.special == SpecialKind::kPeriodDoubling || plane.special == SpecialKind::kTorus) {
+      slice.start = BranchStart{at, false, false};
+      traced = trace_orbits(
+          SystemFamily(with_parameter(there, plane.first, point.value), plane.first), slice);
+    } else {
+      // From a fold itself a branch leads away on both sides of it, and at a grazing it has a
+      // corner.
       const double wide = plane.special == SpecialKind::kFold ? 1.0 : 0.1;
-      slice.start.reset();
       slice.start_values = 6;
       slice.from = std::max(plane.from, point.value - wide * (plane.to - plane.from));
       slice.to = std::min(plane.to, point.value + wide * (plane.to - plane.from));
@@ -131,9 +141,7 @@ TEST_P(StickingLoci, PassTheSpecialPointsOfTenSlices) {
         if (special.kind == plane.special)
           nearest = std::min(nearest, std::abs(special.at.value / point.value - 1.0));
     EXPECT_LE(nearest, 1e-9) << traced.branches.size();
-    ++compared;
   }
-  EXPECT_EQ(compared, 10);
 }
 
 struct CompletionPlane {
@@ -150,15 +158,15 @@ class CompletionPlanes : public ::testing::TestWithParam<CompletionPlane> {};
 
 // Where branches over one parameter end with CH, bisected between orbits that stick and solutions
 // that do not.
-TEST_P(CompletionPlanes, PassTheEndsOfTenBranches) {
+TEST_P(CompletionPlanes, PassTheEndsOfBranches) {
   const CompletionPlane& plane = GetParam();
   const LociOptions options = options_of(plane, OrbitLocusKind::kChatterCompletes, 2);
   const OrbitLoci result = trace_loci(plane.scene, plane.first, plane.second, options);
   ASSERT_FALSE(result.loci.empty()) << result.starts << " starts, " << result.lost_starts;
   const std::vector<OrbitLocusPoint>& points = result.loci.front().points;
   ASSERT_GE(points.size(), 10u);
-  for (int i = 0; i < 10; ++i) {
-    const OrbitLocusPoint& point = points[points.size() * static_cast<std::size_t>(2 * i + 1) / 20];
+  for (const std::size_t i : places_of_ten()) {
+    const OrbitLocusPoint& point = points[points.size() * (2 * i + 1) / 20];
     SCOPED_TRACE(std::to_string(point.value) + ", " + std::to_string(point.second));
     const double reach = 0.4 * (plane.to - plane.from);
     const OrbitBranches traced = support::sticking_branches(
