@@ -250,7 +250,6 @@ TEST(HardCases, Z3ReleaseIsLeftOnceAndTheNextImpactIsMet) {
       };
       // The gap is positive at once; its next zero by marching far below its scales, then halving.
       double first = static_cast<double>(start) + 1.0 / 64, past = first;
-      ASSERT_GT(gap(past), 0.0);
       while (gap(past) > 0.0) {
         first = past;
         past += 1.0 / 4096;
