@@ -50,7 +50,7 @@ TEST(OrbitLoci, FoldsOfTheFourModeBeamAreWhereKappaIsTheGap) {
     }
   // Nothing of the range is left out where |kappa| is within that of the gap.
   std::sort(frequencies.begin(), frequencies.end());
-  for (double frequency = 20.0; frequency <= 120.0; frequency += 0.25) {
+  for (double frequency = 20.0; frequency <= 120.0; frequency += 0.05) {
     const double kappa = std::abs(closed_form(system_at(scene, frequency, 5e-3), 0, 1).form->kappa);
     if (kappa > 0.02) continue;
     const auto above = std::lower_bound(frequencies.begin(), frequencies.end(), frequency);
