@@ -152,6 +152,12 @@ enum class DiagramBranches {
   kFound,  // (1, 1), and whatever the sweep settles on
   kAll     // (p, k), all that a search leads to
 };
+inline constexpr DiagramBranches kDiagramBranches[] = {
+    DiagramBranches::kFound, DiagramBranches::kAll, DiagramBranches::kNone};
+inline std::string name_of(DiagramBranches branches) {
+  if (branches == DiagramBranches::kNone) return "none";
+  return branches == DiagramBranches::kFound ? "found" : "all";
+}
 
 struct DiagramCommand : BranchingOptions {
   int points = 400;

@@ -103,22 +103,13 @@ void add_diagram(CLI::App& graze, std::optional<Command>& parsed) {
   add_closure_speed(app, command);
   begin_group(app, "Branches");
   app->add_option_function<std::string>(
-         "--branches",
-         [&command = command](const std::string& word) {
-           command.branches = word == "none"    ? DiagramBranches::kNone
-                              : word == "found" ? DiagramBranches::kFound
-                                                : DiagramBranches::kAll;
-         },
+         "--branches", set_by_name(command.branches, kDiagramBranches),
          "Branches over the sweep: found, of (1, 1) orbits and of whatever the sweep settles on; "
          "all (p, k) orbits that a search leads to; or none (default: found, with --period or "
          "--impacts all)")
-      ->check(CLI::IsMember({"found", "all", "none"}))
+      ->check(CLI::IsMember(names_of(kDiagramBranches)))
       ->type_name("WHICH");
-  app->add_option("--period", command.period, "Forcing periods p of the branches' orbits")
-      ->transform(whole_number("a whole number from 1", 1.0, kMostPeriods))
-      ->each([&command = command](const std::string&) { command.period_given = true; })
-      ->capture_default_str()
-      ->type_name("P");
+  add_period(app, command, "Forcing periods p of the branches' orbits");
   add_branch_kind(app, command);
   add_curve(app, command);
   begin_group(app, "Sweep");

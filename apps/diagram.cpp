@@ -59,13 +59,10 @@ DiagramBranches wanted_branches(const DiagramCommand& command) {
   return wanted;
 }
 
-void note_rest(const DiagramCommand& command, RunInfo& info) {
+void note_rest(const DiagramCommand& command, DiagramBranches wanted, RunInfo& info) {
   info.options.emplace_back("section", name_of(command.section));
   note_shown(command, info);
-  const DiagramBranches wanted = wanted_branches(command);
-  info.options.emplace_back("branches", wanted == DiagramBranches::kNone    ? "none"
-                                        : wanted == DiagramBranches::kFound ? "found"
-                                                                            : "all");
+  info.options.emplace_back("branches", name_of(wanted));
   if (wanted == DiagramBranches::kAll) {
     info.options.emplace_back("period", static_cast<long long>(command.period));
     info.options.emplace_back("impacts", static_cast<long long>(command.impacts.value_or(1)));
@@ -76,11 +73,11 @@ void note_rest(const DiagramCommand& command, RunInfo& info) {
 }
 
 // The branches; how that ended, or nothing where they are not wanted.
-std::optional<Outcome> add_branches(const DiagramCommand& command, const SystemFamily& family,
-                                    BranchOptions options, DiagramRecord& record) {
+std::optional<Outcome> add_branches(const DiagramCommand& command, DiagramBranches wanted,
+                                    const SystemFamily& family, BranchOptions options,
+                                    DiagramRecord& record) {
   OrbitBranches& traced = record.branches.traced;
   traced.parameter = command.parameter;
-  const DiagramBranches wanted = wanted_branches(command);
   if (wanted == DiagramBranches::kNone) return {};
   if (wanted == DiagramBranches::kFound) options.settled = settled_starts(record.swept.rows);
   traced = trace_orbits(family, options, number_of(record.branches.shown, family));
@@ -108,7 +105,7 @@ std::optional<Outcome> add_branches(const DiagramCommand& command, const SystemF
 
 int run(const DiagramCommand& command) {
   check_plot<DiagramRecord>(command);
-  wanted_branches(command);
+  const DiagramBranches wanted = wanted_branches(command);
   check_journal_options(command, command.journal);
   const Scene scene = scene_of(command);
   if (!scene.forcing) return run_diagram_of_runs(command, scene);
@@ -152,8 +149,8 @@ int run(const DiagramCommand& command) {
   record.swept = sweep(family, options);
   options.progress = nullptr;
   if (!work.is_whole_here()) return work.conclude_part(record.swept.stopped);
-  note_rest(command, record.branches.info);
-  const std::optional<Outcome> traced = add_branches(command, family, tracing, record);
+  note_rest(command, wanted, record.branches.info);
+  const std::optional<Outcome> traced = add_branches(command, wanted, family, tracing, record);
   record.branches.outcome = diagram_outcome(record.swept, traced);
   const bool swept = record.swept.stopped == StopReason::kNone;
   const StopReason stopped = swept ? record.branches.traced.stopped : record.swept.stopped;

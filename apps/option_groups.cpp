@@ -102,14 +102,18 @@ void add_limits(CLI::App* app, MotionOptions& command) {
       ->type_name("S");
 }
 
-void add_orbit_search(CLI::App* app, OrbitSearchOptions& command) {
-  add_limits(app, command);
-  begin_group(app, "Search for orbits");
-  app->add_option("--period", command.period, "Forcing periods p after which the orbit repeats")
+void add_period(CLI::App* app, OrbitSearchOptions& command, const char* what) {
+  app->add_option("--period", command.period, what)
       ->transform(whole_number("a whole number from 1", 1.0, kMostPeriods))
       ->each([&command](const std::string&) { command.period_given = true; })
       ->capture_default_str()
       ->type_name("P");
+}
+
+void add_orbit_search(CLI::App* app, OrbitSearchOptions& command) {
+  add_limits(app, command);
+  begin_group(app, "Search for orbits");
+  add_period(app, command, "Forcing periods p after which the orbit repeats");
   app->add_flag("--virtual", command.keep_virtual,
                 "Keep solutions that are no orbits too: penetrating a stop, or impact speed < 0");
   app->add_option(

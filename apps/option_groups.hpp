@@ -56,6 +56,8 @@ void add_printing(CLI::App* app, CommonOptions& command);
 void add_output(CLI::App* app, CommonOptions& command);
 void add_closure_speed(CLI::App* app, MotionOptions& command);
 void add_limits(CLI::App* app, MotionOptions& command);
+// Of the orbits that are sought; `what` is said of them.
+void add_period(CLI::App* app, OrbitSearchOptions& command, const char* what);
 // With those limits.
 void add_orbit_search(CLI::App* app, OrbitSearchOptions& command);
 void add_range(CLI::App* app, BranchingOptions& command);

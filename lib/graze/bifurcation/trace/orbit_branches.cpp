@@ -44,11 +44,12 @@ class OrbitTracer {
   }
 
   OrbitBranches trace() {
-    if (options_.start)
+    if (options_.start) {
       branches_.trace_from_special(*options_.start);
-    else
+    } else {
       trace_from_settled();
-    if (!options_.start && options_.impacts > 0) trace_from_search();
+      if (options_.impacts > 0) trace_from_search();
+    }
     if (options_.response && !options_.start && options_.period == 1) trace_response();
     branches_.follow();
     const double speed_scale = result_.scale.speed;
