@@ -4,8 +4,9 @@
 // Documents must have the same shape: keys, kinds, ends, counts, outcomes and exit codes. Numbers may differ by
 // the tolerance, relative to the larger of the two; numbers that are rounding beside the others of their column
 // (1e-13 of its largest) are not compared. Computing times and counts of evaluations are effort, not results:
-// they are left out. Prints a line for every difference and exits with 1 if there is one.
-import { readFileSync, readdirSync } from "node:fs";
+// they are left out. Tables, printed text, scripts of pictures and data of pages must be the same to the last
+// character. Prints a line for every difference and exits with 1 if there is one.
+import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 
 const effort = /^(seconds|seconds_per_period|evaluations|evaluations_per_period|starts|residual|version|iterations)$/;
@@ -68,6 +69,27 @@ function compare(name, old, now, tolerance) {
   return worst.size;
 }
 
+// Of the files that a command wrote beside its document: the first line of each that differs.
+function compareFiles(name, old, now) {
+  const list = (folder) => (existsSync(folder) ? readdirSync(folder) : []);
+  let differences = 0;
+  for (const file of new Set([...list(old), ...list(now)])) {
+    const [before, after] = [old, now].map((folder) => (existsSync(join(folder, file)) ? readFileSync(join(folder, file), "utf8").split("\n") : null));
+    const say = (text) => { ++differences; console.log(`${name}/${file}: ${text}`); };
+    if (!before || !after) { say(before ? "is gone" : "is new"); continue; }
+    const at = before.findIndex((line, i) => line !== after[i]);
+    if (at < 0 && before.length === after.length) continue;
+    const i = at < 0 ? before.length : at;
+    // Of long lines the part from the first difference on.
+    const [was, is] = [before[i] ?? "", after[i] ?? ""];
+    let from = 0;
+    while (from < was.length && was[from] === is[from]) ++from;
+    const part = (line) => line.slice(Math.max(0, from - 60), from + 100);
+    say(`line ${i + 1}: "${part(was)}" is now "${part(is)}"`);
+  }
+  return differences;
+}
+
 const [oldFolder, newFolder, option, given] = process.argv.slice(2);
 if (!newFolder || (option && option !== "--tolerance")) {
   console.error("usage: node tests/compare_results.mjs OLD NEW [--tolerance 1e-9]");
@@ -81,6 +103,7 @@ for (const name of names) {
   const documents = [oldFolder, newFolder].map((folder) => ({
     code: Number(read(folder, `${name}.code`)), ...JSON.parse(read(folder, `${name}.json`) || "{}") }));
   differences += compare(name, ...documents, tolerance);
+  differences += compareFiles(name, join(oldFolder, name), join(newFolder, name));
 }
-console.log(`${names.length} documents, ${differences} columns that differ by more than ${tolerance}`);
+console.log(`${names.length} documents, ${differences} columns or files that differ (numbers by more than ${tolerance})`);
 process.exit(differences > 0 ? 1 : 0);
