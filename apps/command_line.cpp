@@ -6,7 +6,7 @@
 #include "compare_options.hpp"
 #include "first_scene.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/report/names/detail/map_names.hpp"
+#include "graze/record/names/detail/map_names.hpp"
 #include "option_groups.hpp"
 #include "option_values.hpp"
 #include "picture_options.hpp"

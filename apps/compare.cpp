@@ -8,7 +8,7 @@
 #include "graze/base/errors.hpp"
 #include "graze/base/parallel.hpp"
 #include "graze/report/json/json.hpp"
-#include "graze/report/names/detail/comparison_names.hpp"
+#include "graze/record/names/detail/comparison_names.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/detail/start_coordinate.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"

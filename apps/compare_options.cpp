@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "graze/base/errors.hpp"
-#include "graze/report/names/detail/comparison_names.hpp"
+#include "graze/record/names/detail/comparison_names.hpp"
 #include "option_groups.hpp"
 #include "option_values.hpp"
 #include "picture_options.hpp"

@@ -7,7 +7,7 @@
 #include "graze/base/errors.hpp"
 #include "graze/bifurcation/loci/detail/restart.hpp"
 #include "graze/report/json/json.hpp"
-#include "graze/report/names/detail/sweep_names.hpp"
+#include "graze/record/names/detail/sweep_names.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/parameter.hpp"

@@ -4,14 +4,13 @@
 
 #include "graze/record/file/spool.hpp"
 #include "graze/report/csv/csv.hpp"
-#include "graze/report/detail/names.hpp"
+#include "graze/record/names/detail/kind_names.hpp"
 #include "graze/report/json/json.hpp"
-#include "tables.hpp"
 
 namespace graze {
 namespace {
 
-std::vector<Table> tables(const FoundResult& result) {
+std::vector<NamedTable> tables(const FoundResult& result) {
   return std::visit([](const auto& record) { return tables_of(record); }, *result.record());
 }
 
@@ -20,8 +19,6 @@ bool has_events(const FoundResult& result) {
   return std::holds_alternative<SimulationRecord>(*result.record()) &&
          result.stored_document().empty();
 }
-
-std::string without_ending(const std::string& name) { return name.substr(0, name.rfind('.')); }
 
 }  // namespace
 
@@ -71,15 +68,13 @@ std::vector<std::string> table_names(const FoundResult& result) {
   std::vector<std::string> names;
   if (has_events(result)) names.emplace_back("events");
   if (result.samples() && result.samples()->count() > 0) names.emplace_back("samples");
-  for (const Table& table : tables(result)) names.push_back(without_ending(table.name));
+  for (const NamedTable& table : tables(result)) names.push_back(table.name);
   return names;
 }
 
 std::optional<ResultTable> table_of(const FoundResult& result, const std::string& name) {
   if (name == "events" && has_events(result)) return events_table(result.events());
-  for (const Table& known : tables(result))
-    if (without_ending(known.name) == name) return known.make();
-  return {};
+  return made_table(tables(result), name);
 }
 
 }  // namespace graze

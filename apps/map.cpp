@@ -11,7 +11,7 @@
 #include "graze/base/errors.hpp"
 #include "graze/record/detail/loci_record.hpp"
 #include "graze/report/json/json.hpp"
-#include "graze/report/names/detail/map_names.hpp"
+#include "graze/record/names/detail/map_names.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/detail/start_coordinate.hpp"

@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "graze/base/errors.hpp"
-#include "graze/report/names/detail/map_names.hpp"
+#include "graze/record/names/detail/map_names.hpp"
 #include "option_values.hpp"
 
 namespace graze {

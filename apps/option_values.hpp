@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "graze/report/names/detail/sweep_names.hpp"
+#include "graze/record/names/detail/sweep_names.hpp"
 #include "graze/scene/detail/value_checker.hpp"
 
 namespace graze {

@@ -14,10 +14,10 @@
 #include "graze/record/file/spool.hpp"
 #include "graze/record/records.hpp"
 #include "graze/record/stored/detail/record_file.hpp"
+#include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/scene.hpp"
-#include "tables.hpp"
 
 namespace graze {
 
@@ -58,7 +58,7 @@ struct Result {
   std::function<NamedFiles()> files{};  // beside the document; empty: none
   std::function<void()> draw{};
   std::vector<PendingFile> tables{};   // files that have grown on the way
-  std::vector<Table> record_tables{};  // those that the record makes
+  std::vector<NamedTable> record_tables{};  // those that the record makes
   // The record as a file, for graze view, from the checksum of the document; empty: none.
   std::function<std::string(const std::string& document_checksum)> record{};
 };

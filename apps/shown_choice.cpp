@@ -10,8 +10,8 @@
 
 #include "branch_options.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/report/names/detail/comparison_names.hpp"
-#include "graze/report/names/detail/map_names.hpp"
+#include "graze/record/names/detail/comparison_names.hpp"
+#include "graze/record/names/detail/map_names.hpp"
 #include "option_values.hpp"
 #include "run_output.hpp"
 

@@ -14,7 +14,7 @@
 #include "graze/base/angle.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/report/json/json.hpp"
-#include "graze/report/names/detail/sweep_names.hpp"
+#include "graze/record/names/detail/sweep_names.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "resumption.hpp"

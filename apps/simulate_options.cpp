@@ -1,7 +1,7 @@
 #include "simulate_options.hpp"
 
 #include "graze/record/run_picture.hpp"
-#include "graze/report/names/detail/sweep_names.hpp"
+#include "graze/record/names/detail/sweep_names.hpp"
 #include "option_groups.hpp"
 #include "option_values.hpp"
 #include "picture_options.hpp"

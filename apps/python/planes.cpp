@@ -6,8 +6,8 @@
 
 #include "charts.hpp"
 #include "graze/report/json/detail/json_page.hpp"
-#include "graze/report/names/detail/comparison_names.hpp"
-#include "graze/report/names/detail/map_names.hpp"
+#include "graze/record/names/detail/comparison_names.hpp"
+#include "graze/record/names/detail/map_names.hpp"
 #include "graze/report/picture/detail/map_legend.hpp"
 
 namespace graze {

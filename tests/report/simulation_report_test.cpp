@@ -78,8 +78,8 @@ TEST(SimulationDocument, EveryKindOfEventHasItsKeys) {
   EXPECT_EQ(document["events"], Json::parse(R"([
     {"kind": "impact", "time": 1.0, "stop": 1, "speed": 1e-6, "phase": null,
      "energy_change": -0.33333333333333331},
-    {"kind": "chatter", "time": 2.0, "stop": 2, "impacts": 12, "closure_speed": 1e-5,
-     "energy_change": -0.33333333333333331},
+    {"kind": "chatter", "time": 2.0, "stop": 2, "energy_change": -0.33333333333333331,
+     "impacts": 12, "closure_speed": 1e-5},
     {"kind": "stick", "time": 3.0, "stop": 2, "force": 0.30000000000000004},
     {"kind": "release", "time": 4.0, "stop": 1}])"));
 }

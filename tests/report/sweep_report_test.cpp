@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "graze/record/names/detail/sweep_names.hpp"
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
-#include "graze/report/names/detail/sweep_names.hpp"
 #include "graze/report/text/text.hpp"
 
 namespace graze {
@@ -48,15 +48,18 @@ DiagramRecord record_of(std::vector<SweepRow> rows, DiagramSection section) {
   return record;
 }
 
+std::string sweep_csv(const DiagramRecord& record) {
+  return csv_text(*made_table(tables_of(record), "sweep"));
+}
+
 TEST(SweepReport, OneLineASampleAndOneForAValueWithout) {
-  EXPECT_EQ(
-      csv_text(sweep_table(record_of({periodic_row(), failed_row()}, DiagramSection::kImpact))),
-      "value,start,status,attractor,period,impacts,periods,remaining,sample,stop,"
-      "period_index,phase,speed,displacement,velocity\n"
-      "1.5,handed on,settled,impacts,2,2,50,5e-09,1,1,0,0.7168146928204138,0.25,,\n"
-      "1.5,handed on,settled,impacts,2,2,50,5e-09,2,1,1,1.25,0.5,,\n"
-      "2,scene,no start,no start,,,0,,,,,,,,\n");
-  EXPECT_EQ(csv_text(sweep_table(record_of({periodic_row()}, DiagramSection::kStroboscopic))),
+  EXPECT_EQ(sweep_csv(record_of({periodic_row(), failed_row()}, DiagramSection::kImpact)),
+            "value,start,status,attractor,period,impacts,periods,remaining,sample,stop,"
+            "period_index,phase,speed,displacement,velocity\n"
+            "1.5,handed on,settled,impacts,2,2,50,5e-09,1,1,0,0.7168146928204138,0.25,,\n"
+            "1.5,handed on,settled,impacts,2,2,50,5e-09,2,1,1,1.25,0.5,,\n"
+            "2,scene,no start,no start,,,0,,,,,,,,\n");
+  EXPECT_EQ(sweep_csv(record_of({periodic_row()}, DiagramSection::kStroboscopic)),
             "value,start,status,attractor,period,impacts,periods,remaining,sample,stop,"
             "period_index,phase,speed,displacement,velocity\n"
             "1.5,handed on,settled,impacts,2,2,50,5e-09,1,1,0,,,0.125,0\n"

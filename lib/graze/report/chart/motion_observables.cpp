@@ -7,7 +7,7 @@
 
 #include "graze/base/angle.hpp"
 #include "graze/report/chart/detail/motion_seen.hpp"
-#include "graze/report/names/detail/sweep_names.hpp"
+#include "graze/record/names/detail/sweep_names.hpp"
 
 namespace graze {
 namespace {

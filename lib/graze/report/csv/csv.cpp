@@ -7,11 +7,19 @@
 #include <cmath>
 #include <iterator>
 
-#include "graze/bifurcation/problem/detail/special_names.hpp"
+#include "graze/record/described/detail/descriptions.hpp"
+#include "graze/record/detail/comparison_record.hpp"
+#include "graze/record/detail/cost_record.hpp"
+#include "graze/record/detail/diagram_record.hpp"
+#include "graze/record/detail/fit_record.hpp"
+#include "graze/record/detail/loci_record.hpp"
+#include "graze/record/detail/map_record.hpp"
+#include "graze/record/detail/modes_record.hpp"
+#include "graze/record/detail/run_diagram_record.hpp"
+#include "graze/record/detail/sensitivity_record.hpp"
+#include "graze/record/names/detail/kind_names.hpp"
 #include "graze/record/records.hpp"
-#include "graze/record/section.hpp"
-#include "graze/report/csv/detail/csv_amplitudes.hpp"
-#include "graze/report/detail/names.hpp"
+#include "graze/report/csv/detail/table_builder.hpp"
 #include "graze/system/detail/hub_state.hpp"
 
 namespace graze {
@@ -20,39 +28,42 @@ namespace {
 
 std::string csv_cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
 
-// Of the first impact; not a number where the orbit has none, at rest on its stop.
-double phase_of_first(const Orbit& orbit) {
-  return orbit.impacts.empty() ? NAN : orbit.impacts.front().phase;
-}
+// Of an event what a row of its table holds behind its kind.
+class EventNumbers : public ResultVisitor {
+ public:
+  explicit EventNumbers(double* row) : row_(row) { std::fill_n(row, kEventNumbers, NAN); }
 
-double speed_of_first(const Orbit& orbit) {
-  return orbit.impacts.empty() ? NAN : orbit.impacts.front().speed;
-}
+ protected:
+  bool open(const Field&, Shape) override { return true; }
+  void close() override {}
+  void take(const Field& field, const FieldValue& value) override {
+    static const std::vector<std::string> names = [] {
+      const ResultTable table = events_table({});
+      std::vector<std::string> list;
+      for (const ColumnBuilder& column : table.columns()) list.push_back(column.column().name);
+      return list;
+    }();
+    // In their order, with some left out.
+    while (names[column_] != field.name) ++column_;
+    if (column_ == 0) return;
+    if (const auto* whole = std::get_if<long long>(&value))
+      row_[column_ - 1] = static_cast<double>(*whole);
+    else if (const auto* number = std::get_if<double>(&value))
+      row_[column_ - 1] = *number;
+  }
+
+ private:
+  double* row_;
+  std::size_t column_ = 0;
+};
 
 }  // namespace
 
-std::string events_csv_header() {
-  return "kind,time,stop,speed,phase,energy_change,impacts,closure_speed,force,duration,"
-         "peak_force,effective_restitution\n";
-}
+std::string events_csv_header() { return csv_text(events_table({})); }
 
-void write_event_row(const Event& e, double* row) {
-  const bool meets = e.kind == EventKind::kImpact || e.kind == EventKind::kContact;
-  const bool parts = e.kind == EventKind::kSeparation, chatters = e.kind == EventKind::kChatter;
-  const auto only = [](bool exists, double value) { return exists ? value : NAN; };
-  const std::array<double, kEventNumbers> numbers = {
-      e.time,
-      e.stop + 1.0,
-      only(meets || parts, e.speed),
-      only(meets, e.phase.value_or(NAN)),
-      only(e.kind == EventKind::kImpact || parts || chatters, e.energy_change),
-      only(chatters, static_cast<double>(e.impacts)),
-      only(chatters, e.closure_speed),
-      only(e.kind == EventKind::kStick, e.force),
-      only(parts, e.duration),
-      only(parts, e.peak_force),
-      only(parts, e.effective_restitution.value_or(NAN))};
-  std::copy(numbers.begin(), numbers.end(), row);
+void write_event_row(const Event& event, double* row) {
+  EventNumbers numbers(row);
+  describe(numbers, event);
 }
 
 std::string events_csv_row(const Event& event) {
@@ -64,14 +75,7 @@ std::string events_csv_row(const Event& event) {
 }
 
 ResultTable events_table(const std::vector<Event>& events) {
-  ResultTable table(events_csv_header());
-  std::array<double, kEventNumbers> row{};
-  for (const Event& event : events) {
-    write_event_row(event, row.data());
-    table.add(name_of(event.kind));
-    for (const double value : row) table.add(value);
-  }
-  return table;
+  return built_table("events", [&](ResultVisitor& v) { describe(v, events); });
 }
 
 std::vector<std::string> sample_columns(const System& system, bool energy,
@@ -147,102 +151,38 @@ std::string samples_csv_row(const System& system, const Sample& sample,
   return text + "\n";
 }
 
-ResultTable section_table(const RunSection& section) {
-  const bool of_impacts = section.kind() == DiagramSection::kImpact;
-  ResultTable table(of_impacts ? "time,stop,phase,speed" : "time,stop,displacement,velocity");
-  for (const SectionPoint& point : section.points())
-    table.add(point.time, point.stop + 1, point.across, point.up);
-  return table;
+template <class Record>
+std::vector<NamedTable> tables_of(const Record& record) {
+  TableNames names;
+  describe(names, record);
+  std::vector<NamedTable> tables;
+  for (const std::string& name : names.names())
+    tables.push_back({name, [name, &record] {
+                        return built_table(name, [&](ResultVisitor& v) { describe(v, record); });
+                      }});
+  return tables;
 }
 
-ResultTable orbits_table(const OrbitRecord& record) {
-  ResultTable table(
-      "orbit,period,impacts,impact,stop,period_index,phase,speed,stable,admissible,"
-      "clearance,largest_multiplier,residual,stuck");
-  int number = 0;
-  for (const Orbit& orbit : record.found.orbits) {
-    ++number;
-    int index = 0;
-    const double largest =
-        orbit.multipliers.empty() ? NAN : std::abs(orbit.multipliers.front().value);
-    for (const OrbitImpact& impact : orbit.impacts)
-      table.add(number, orbit.period, orbit.impacts.size(), ++index, impact.stop + 1,
-                impact.period_index, impact.phase, impact.speed, orbit.stable, orbit.admissible,
-                orbit.clearance, largest, orbit.residual, orbit.sticks());
-  }
-  return table;
+std::optional<ResultTable> made_table(const std::vector<NamedTable>& tables,
+                                      std::string_view name) {
+  for (const NamedTable& table : tables)
+    if (table.name == name) return table.make();
+  return {};
 }
 
-ResultTable stuck_table(const OrbitRecord& record) {
-  ResultTable table(
-      "orbit,stop,from_period_index,from_phase,to_period_index,to_phase,duration,force,"
-      "smallest_force");
-  for (std::size_t i = 0; i < record.found.orbits.size(); ++i)
-    for (const StickingPhase& sticking : record.found.orbits[i].sticking)
-      table.add(i + 1, sticking.stop + 1, sticking.from.period_index, sticking.from.phase,
-                sticking.to.period_index, sticking.to.phase, sticking.duration, sticking.force,
-                sticking.smallest_force);
-  return table;
-}
-
-ResultTable contacts_table(const OrbitRecord& record) {
-  ResultTable table("orbit,impact,stop,duration,peak_force,effective_restitution,energy_change");
-  for (std::size_t i = 0; i < record.found.orbits.size(); ++i) {
-    const Orbit& orbit = record.found.orbits[i];
-    for (std::size_t k = 0; k < orbit.impacts.size(); ++k) {
-      if (!orbit.impacts[k].contact) continue;
-      const OrbitContact& contact = *orbit.impacts[k].contact;
-      if (!(contact.duration > 0.0)) continue;
-      table.add(i + 1, k + 1, orbit.impacts[k].stop + 1, contact.duration, contact.peak_force,
-                contact.speed_after / orbit.impacts[k].speed, -contact.taken);
-    }
-  }
-  return table;
-}
-
-ResultTable branches_table(const BranchRecord& record) {
-  std::string names =
-      "branch,component,period,impacts,value,phase,speed,stable,admissible,"
-      "unstable_multipliers,clearance,stuck";
-  names += amplitude_columns(record.amplitudes.places);
-  ResultTable table(names);
-  for (std::size_t i = 0; i < record.traced.branches.size(); ++i) {
-    const OrbitBranch& branch = record.traced.branches[i];
-    for (std::size_t k = 0; k < branch.points.size(); ++k) {
-      const OrbitBranchPoint& point = branch.points[k];
-      const Orbit& orbit = point.orbit;
-      table.add(branch.id, branch.component, branch.pattern.period, orbit.impacts.size(),
-                point.value, phase_of_first(orbit), speed_of_first(orbit), orbit.stable,
-                orbit.admissible, point.unstable_multipliers, orbit.clearance, branch.sticks());
-      add_amplitudes(record.amplitudes.places,
-                     record.amplitudes.empty() ? nullptr : &record.amplitudes.branches[i].points[k],
-                     table);
-    }
-  }
-  return table;
-}
-
-ResultTable special_table(const BranchRecord& record) {
-  ResultTable table(
-      "id,label,branch,value,phase,speed,multiplier_re,multiplier_im,bracket_from,"
-      "bracket_to,converged");
-  for (const OrbitBranch& branch : record.traced.branches)
-    for (const SpecialPoint& s : branch.special) {
-      table.add(s.id, label_of(s.kind), branch.id, s.at.value);
-      if (const std::optional<SpecialPoint::Impact> impact = s.impact())
-        table.add(impact->phase, impact->speed);
-      else
-        table.skip(2);
-      if (s.multiplier)
-        table.add(s.multiplier->real(), s.multiplier->imag());
-      else
-        table.skip(2);
-      if (const std::optional<Bracket>& bracket = s.solution.bracket)
-        table.add(bracket->from, bracket->to, bracket->converged);
-      else
-        table.skip(2).add(std::optional<bool>());
-    }
-  return table;
-}
+template std::vector<NamedTable> tables_of(const CheckRecord&);
+template std::vector<NamedTable> tables_of(const ModesRecord&);
+template std::vector<NamedTable> tables_of(const SimulationRecord&);
+template std::vector<NamedTable> tables_of(const OrbitRecord&);
+template std::vector<NamedTable> tables_of(const BranchRecord&);
+template std::vector<NamedTable> tables_of(const LociRecord&);
+template std::vector<NamedTable> tables_of(const DiagramRecord&);
+template std::vector<NamedTable> tables_of(const RunDiagramRecord&);
+template std::vector<NamedTable> tables_of(const MapRecord&);
+template std::vector<NamedTable> tables_of(const ComparisonRecord&);
+template std::vector<NamedTable> tables_of(const ComparisonMapRecord&);
+template std::vector<NamedTable> tables_of(const SensitivityRecord&);
+template std::vector<NamedTable> tables_of(const CostRecord&);
+template std::vector<NamedTable> tables_of(const FitRecord&);
 
 }  // namespace graze

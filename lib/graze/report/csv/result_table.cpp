@@ -46,7 +46,20 @@ struct CellWriter {
   }
 };
 
-std::size_t rows_of(const ResultColumn& column) {
+// The column as one of codes, of which those of its rows so far, without a value, are -1.
+template <class Coded>
+Coded& coded(ResultColumn& column, std::size_t rows) {
+  if (!std::holds_alternative<Coded>(column.values)) {
+    Coded none;
+    none.codes.assign(rows, -1);
+    column.values = std::move(none);
+  }
+  return std::get<Coded>(column.values);
+}
+
+}  // namespace
+
+std::size_t ColumnBuilder::rows() const {
   return std::visit(
       [](const auto& list) {
         if constexpr (requires { list.codes; })
@@ -54,100 +67,89 @@ std::size_t rows_of(const ResultColumn& column) {
         else
           return list.size();
       },
-      column.values);
+      column_.values);
 }
 
-// The column as one of codes, of which those of its rows so far, without a value, are -1.
-template <class Coded>
-Coded& coded(ResultColumn& column) {
-  if (!std::holds_alternative<Coded>(column.values)) {
-    Coded none;
-    none.codes.assign(rows_of(column), -1);
-    column.values = std::move(none);
-  }
-  return std::get<Coded>(column.values);
+// Whole numbers become numbers among others.
+std::vector<double>& ColumnBuilder::numbers() {
+  if (const auto* whole = std::get_if<std::vector<std::int64_t>>(&column_.values))
+    column_.values = std::vector<double>(whole->begin(), whole->end());
+  return std::get<std::vector<double>>(column_.values);
 }
 
-// The column's numbers; whole ones become numbers among others.
-std::vector<double>& numbers_of(ResultColumn& column) {
-  if (const auto* whole = std::get_if<std::vector<std::int64_t>>(&column.values))
-    column.values = std::vector<double>(whole->begin(), whole->end());
-  return std::get<std::vector<double>>(column.values);
+void ColumnBuilder::add_number(double value) {
+  numbers().push_back(std::isfinite(value) ? value : kNone);
 }
 
-}  // namespace
-
-ResultTable::ResultTable(const std::string& names) {
-  std::istringstream list(names.substr(0, names.find('\n')));
-  for (std::string name; std::getline(list, name, ',');)
-    columns_.push_back({name, std::vector<std::int64_t>()});
-  places_.resize(columns_.size());
-}
-
-ResultColumn& ResultTable::next_column() {
-  ResultColumn& column = columns_[next_];
-  next_ = (next_ + 1) % columns_.size();
-  return column;
-}
-
-void ResultTable::add_number(double value) {
-  numbers_of(next_column()).push_back(std::isfinite(value) ? value : kNone);
-}
-
-void ResultTable::add_whole(std::int64_t value) {
-  ResultColumn& column = next_column();
-  if (auto* whole = std::get_if<std::vector<std::int64_t>>(&column.values))
+void ColumnBuilder::add_whole(std::int64_t value) {
+  if (auto* whole = std::get_if<std::vector<std::int64_t>>(&column_.values))
     whole->push_back(value);
   else
-    numbers_of(column).push_back(static_cast<double>(value));
+    numbers().push_back(static_cast<double>(value));
 }
 
-void ResultTable::add_word(std::string_view word) {
-  auto& places = places_[next_];
-  ResultColumn& column = next_column();
-  auto& list = coded<WordColumn>(column);
+void ColumnBuilder::add_word(std::string_view word) {
+  auto& list = coded<WordColumn>(column_, rows());
   if (word.empty()) {
     list.codes.push_back(-1);
     return;
   }
   const auto [at, is_new] =
-      places.emplace(std::string(word), static_cast<std::int32_t>(list.words.size()));
+      places_.emplace(std::string(word), static_cast<std::int32_t>(list.words.size()));
   if (is_new) list.words.emplace_back(word);
   list.codes.push_back(at->second);
 }
 
-void ResultTable::add_truth(std::optional<bool> holds) {
-  coded<TruthColumn>(next_column()).codes.push_back(!holds ? kUnknown : *holds ? 1 : 0);
+void ColumnBuilder::add_truth(std::optional<bool> holds) {
+  coded<TruthColumn>(column_, rows()).codes.push_back(!holds ? kUnknown : *holds ? 1 : 0);
+}
+
+void ColumnBuilder::skip(std::size_t count) {
+  if (auto* words = std::get_if<WordColumn>(&column_.values))
+    words->codes.insert(words->codes.end(), count, -1);
+  else if (auto* truths = std::get_if<TruthColumn>(&column_.values))
+    truths->codes.insert(truths->codes.end(), count, kUnknown);
+  else if (count > 0)
+    numbers().insert(numbers().end(), count, kNone);
+}
+
+ResultColumn ColumnBuilder::take() {
+  if (rows() == 0) column_.values = std::vector<double>();
+  return std::move(column_);
+}
+
+ResultTable::ResultTable(const std::string& names) {
+  std::istringstream list(names.substr(0, names.find('\n')));
+  for (std::string name; std::getline(list, name, ',');) columns_.emplace_back(name);
+}
+
+ColumnBuilder& ResultTable::next_column() {
+  ColumnBuilder& column = columns_[next_];
+  next_ = (next_ + 1) % columns_.size();
+  return column;
 }
 
 ResultTable& ResultTable::skip(std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    ResultColumn& column = next_column();
-    if (auto* words = std::get_if<WordColumn>(&column.values))
-      words->codes.push_back(-1);
-    else if (auto* truths = std::get_if<TruthColumn>(&column.values))
-      truths->codes.push_back(kUnknown);
-    else
-      numbers_of(column).push_back(kNone);
-  }
+  for (std::size_t i = 0; i < count; ++i) next_column().skip(1);
   return *this;
 }
 
 std::vector<ResultColumn> ResultTable::take_columns() {
-  for (ResultColumn& column : columns_)
-    if (rows_of(column) == 0) column.values = std::vector<double>();
-  return std::move(columns_);
+  std::vector<ResultColumn> taken;
+  for (ColumnBuilder& column : columns_) taken.push_back(column.take());
+  return taken;
 }
 
 void ResultTable::write_csv(const TextSink& sink) const {
   std::string text;
-  for (const ResultColumn& column : columns_) text += (text.empty() ? "" : ",") + column.name;
+  for (const ColumnBuilder& column : columns_)
+    text += (text.empty() ? "" : ",") + column.column().name;
   text += '\n';
-  const std::size_t rows = columns_.empty() ? 0 : rows_of(columns_.front());
+  const std::size_t rows = columns_.empty() ? 0 : columns_.front().rows();
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t j = 0; j < columns_.size(); ++j) {
       if (j > 0) text += ',';
-      std::visit(CellWriter{row, text}, columns_[j].values);
+      std::visit(CellWriter{row, text}, columns_[j].column().values);
     }
     text += '\n';
     if (text.size() < kPiece) continue;

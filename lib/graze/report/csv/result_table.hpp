@@ -30,10 +30,39 @@ struct ResultColumn {
   // Whole numbers, where all are and none is missing; numbers, NaN for those that are; words; or
   // what is true or false.
   std::variant<std::vector<std::int64_t>, std::vector<double>, WordColumn, TruthColumn> values;
+  std::string unit{};  // SI; empty of pure numbers, words and truths
+};
+
+// A column that grows cell by cell. It holds numbers, words or truths, never two of them.
+class ColumnBuilder {
+ public:
+  explicit ColumnBuilder(std::string name, std::string unit = {})
+      : column_{std::move(name), std::vector<std::int64_t>(), std::move(unit)} {}
+
+  // Not finite: no value.
+  void add_number(double value);
+  void add_whole(std::int64_t value);
+  // Empty: no value.
+  void add_word(std::string_view word);
+  void add_truth(std::optional<bool> holds);
+  // So many cells without a value.
+  void skip(std::size_t count);
+
+  std::size_t rows() const;
+  const ResultColumn& column() const { return column_; }
+  // That of no rows is one of numbers. Empties this.
+  ResultColumn take();
+
+ private:
+  std::vector<double>& numbers();
+
+  ResultColumn column_;
+  std::unordered_map<std::string, std::int32_t> places_;  // of words
 };
 
 class ResultTable {
  public:
+  explicit ResultTable(std::vector<ColumnBuilder> columns) : columns_(std::move(columns)) {}
   // `names`: a line of the columns' names, with commas between them.
   explicit ResultTable(const std::string& names);
 
@@ -48,7 +77,7 @@ class ResultTable {
   // So many cells without a value.
   ResultTable& skip(std::size_t count);
 
-  const std::vector<ResultColumn>& columns() const { return columns_; }
+  const std::vector<ColumnBuilder>& columns() const { return columns_; }
   // Those of an empty table are columns of numbers. Empties this.
   std::vector<ResultColumn> take_columns();
 
@@ -57,37 +86,31 @@ class ResultTable {
   void write_csv(const TextSink& sink) const;
 
  private:
-  void add_number(double value);
-  void add_whole(std::int64_t value);
-  void add_word(std::string_view word);
-  void add_truth(std::optional<bool> holds);
-
-  void add_cell(double value) { add_number(value); }
+  void add_cell(double value) { next_column().add_number(value); }
   template <std::same_as<bool> Truth>
   void add_cell(Truth holds) {
-    add_truth(holds);
+    next_column().add_truth(holds);
   }
   template <std::integral Whole>
   requires(!std::same_as<Whole, bool>) void add_cell(Whole value) {
-    add_whole(static_cast<std::int64_t>(value));
+    next_column().add_whole(static_cast<std::int64_t>(value));
   }
-  void add_cell(std::string_view word) { add_word(word); }
+  void add_cell(std::string_view word) { next_column().add_word(word); }
   void add_cell(std::nullopt_t) { skip(1); }
   template <class Cell>
   void add_cell(const std::optional<Cell>& cell) {
     if constexpr (std::same_as<Cell, bool>)
-      add_truth(cell);
+      next_column().add_truth(cell);
     else if (cell)
       add_cell(*cell);
     else
       skip(1);
   }
 
-  ResultColumn& next_column();
+  ColumnBuilder& next_column();
 
-  std::vector<ResultColumn> columns_;
-  std::vector<std::unordered_map<std::string, std::int32_t>> places_;  // of words
-  std::size_t next_ = 0;                                               // column
+  std::vector<ColumnBuilder> columns_;
+  std::size_t next_ = 0;  // column
 };
 
 // Its text in one piece.

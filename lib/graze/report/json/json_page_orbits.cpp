@@ -10,8 +10,8 @@
 #include "graze/motion/simulation.hpp"
 #include "graze/orbit/detail/orbit_curve.hpp"
 #include "graze/orbit/search/finder.hpp"
+#include "graze/record/names/detail/sweep_names.hpp"
 #include "graze/report/chart/detail/motion_seen.hpp"
-#include "graze/report/names/detail/sweep_names.hpp"
 
 namespace graze {
 namespace {

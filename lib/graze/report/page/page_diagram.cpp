@@ -8,7 +8,7 @@
 #include "graze/report/appearance/looks.hpp"
 #include "graze/report/chart/detail/motion_observables.hpp"
 #include "graze/report/json/detail/json_page_orbits.hpp"
-#include "graze/report/names/detail/sweep_names.hpp"
+#include "graze/record/names/detail/sweep_names.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/page/detail/page_curves.hpp"
 

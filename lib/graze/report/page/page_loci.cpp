@@ -4,9 +4,9 @@
 #include <map>
 
 #include "graze/record/detail/loci_record.hpp"
-#include "graze/report/detail/names.hpp"
+#include "graze/record/names/detail/kind_names.hpp"
 #include "graze/report/json/detail/json_page.hpp"
-#include "graze/report/names/detail/sweep_names.hpp"
+#include "graze/record/names/detail/sweep_names.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/page/detail/page_plane.hpp"
 #include "graze/report/page/detail/page_tables.hpp"

@@ -11,7 +11,7 @@
 #include "graze/report/json/detail/json_document.hpp"
 #include "graze/report/json/detail/json_page.hpp"
 #include "graze/report/json/detail/json_page_orbits.hpp"
-#include "graze/report/names/detail/map_names.hpp"
+#include "graze/record/names/detail/map_names.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/page/detail/page_plane.hpp"
 #include "graze/study/sweep/settled_row.hpp"

@@ -14,7 +14,7 @@
 #include "graze/record/detail/sensitivity_record.hpp"
 #include "graze/report/chart/axis.hpp"
 #include "graze/report/json/detail/json_page.hpp"
-#include "graze/report/names/detail/sweep_names.hpp"
+#include "graze/record/names/detail/sweep_names.hpp"
 
 namespace graze {
 namespace {

@@ -6,9 +6,9 @@
 #include <map>
 #include <utility>
 
-#include "graze/report/names/detail/comparison_names.hpp"
-#include "graze/report/names/detail/map_names.hpp"
-#include "graze/report/names/detail/sweep_names.hpp"
+#include "graze/record/names/detail/comparison_names.hpp"
+#include "graze/record/names/detail/map_names.hpp"
+#include "graze/record/names/detail/sweep_names.hpp"
 
 namespace graze {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "graze/bifurcation/problem/detail/special_names.hpp"
-#include "graze/report/names/detail/sweep_names.hpp"
+#include "graze/record/names/detail/sweep_names.hpp"
 #include "graze/report/picture/detail/gnuplot_looks.hpp"
 
 namespace graze {

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "graze/report/names/detail/comparison_names.hpp"
+#include "graze/record/names/detail/comparison_names.hpp"
 #include "graze/report/picture/detail/map_legend.hpp"
 #include "graze/report/picture/detail/picture_cells.hpp"
 #include "graze/report/picture/pictures.hpp"

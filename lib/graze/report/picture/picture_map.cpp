@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graze/report/names/detail/map_names.hpp"
+#include "graze/record/names/detail/map_names.hpp"
 #include "graze/report/picture/detail/map_legend.hpp"
 #include "graze/report/picture/pictures.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "graze/bifurcation/loci/orbit_loci.hpp"
 #include "graze/record/detail/loci_record.hpp"
-#include "graze/report/detail/names.hpp"
+#include "graze/record/names/detail/kind_names.hpp"
 #include "graze/report/text/detail/number_text.hpp"
 #include "graze/report/text/detail/sentences.hpp"
 #include "graze/report/text/detail/table.hpp"

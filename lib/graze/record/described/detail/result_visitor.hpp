@@ -1,0 +1,241 @@
+// What results tell, described once: describe() hands a visitor every number of a result with its
+// name, its unit and what it means. Documents, tables, arrays and the reference in docs/scenes.md
+// come from visitors that know no result.
+#pragma once
+
+#include <complex>
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <ranges>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+namespace graze {
+
+// A number, a word, a list or a part of a result.
+struct Field {
+  std::string_view name{};
+  std::string_view unit{};  // SI; empty of a pure number, a word or a part
+  std::string_view what{};  // it means, for the reference
+  std::string_view
+      column{};  // its name in tables, where that is another; of a pair both, "from,to"
+  std::string_view tables{};  // whose rows repeat it, besides the row that it stands in: "orbits"
+  enum class Use {
+    kEverywhere,
+    kDocument,  // and in no table
+    kTables,    // and in no document
+    kUnit       // only that a document tells its unit
+  } use = Use::kEverywhere;
+
+  constexpr Field as(std::string_view other) const { return with(&Field::column, other); }
+  constexpr Field in(std::string_view names) const { return with(&Field::tables, names); }
+  constexpr Field document() const { return with(&Field::use, Use::kDocument); }
+  constexpr Field tabular() const { return with(&Field::use, Use::kTables); }
+  constexpr Field unit_alone() const { return with(&Field::use, Use::kUnit); }
+
+ private:
+  template <class Part>
+  constexpr Field with(Part Field::*part, Part value) const {
+    Field changed = *this;
+    changed.*part = value;
+    return changed;
+  }
+};
+
+// A value that does not exist; what it would be.
+enum class Missing { kNumber, kWord, kTruth };
+// Two numbers that belong together: a complex number, an interval.
+using NumberPair = std::pair<double, double>;
+// Numbers that are not finite do not exist. A word refers to the text.
+using FieldValue = std::variant<Missing, bool, long long, double, std::string_view, NumberPair>;
+
+template <class T>
+FieldValue field_value(const T& value) {
+  if constexpr (std::same_as<T, bool>)
+    return value;
+  else if constexpr (std::integral<T>)
+    return static_cast<long long>(value);
+  else if constexpr (std::floating_point<T>)
+    return value;
+  else if constexpr (std::same_as<T, std::complex<double>>)
+    return NumberPair(value.real(), value.imag());
+  else if constexpr (std::same_as<T, NumberPair>)
+    return value;
+  else
+    return std::string_view(value);
+}
+template <class T>
+FieldValue field_value(const std::optional<T>& value) {
+  if (value) return field_value(*value);
+  if constexpr (std::same_as<T, bool>)
+    return Missing::kTruth;
+  else if constexpr (std::constructible_from<std::string_view, T>)
+    return Missing::kWord;
+  else
+    return Missing::kNumber;
+}
+// Of a name that may be empty: then it does not exist.
+inline std::optional<std::string_view> named(std::string_view name) {
+  return name.empty() ? std::nullopt : std::optional(name);
+}
+// What an optional holds, or an empty one, for descriptions of what is not there.
+template <class T>
+const T& held(const std::optional<T>& value) {
+  static const T none{};
+  return value ? *value : none;
+}
+
+class ResultVisitor {
+ public:
+  virtual ~ResultVisitor() = default;
+
+  template <class T>
+  void field(const Field& field, const T& value) {
+    take(field, field_value(value));
+  }
+  // With fields of its own, which `body` hands over.
+  template <class Body>
+  void part(const Field& field, const Body& body) {
+    if (!open(field, Shape::kPart)) return;
+    body();
+    close();
+  }
+  // The same, or null.
+  template <class Body>
+  void maybe_part(const Field& field, bool exists, const Body& body) {
+    if (exists || sees_all())
+      part(field, body);
+    else
+      take(field, Missing::kWord);
+  }
+  // Of parts: `each(element, index)` hands over the fields of one.
+  template <class List, class Each>
+  void list(const Field& field, const List& list, const Each& each) {
+    if (open(field, Shape::kList)) parts(list, each);
+  }
+  // The same of very many, which a document holds as one list of each field.
+  template <class List, class Each>
+  void columns(const Field& field, const List& list, const Each& each) {
+    if (!open(field, Shape::kColumns)) return;
+    // Lists of nothing are there too.
+    if (list.empty() && !sees_all()) {
+      static const std::ranges::range_value_t<List> any{};
+      hear_names_only(true);
+      part_of(any, 0, each);
+      hear_names_only(false);
+    }
+    parts(list, each);
+  }
+  // The same of a few, as many for every row of a table, which has columns for the fields of each.
+  // Where not all of them exist a document has an empty list.
+  template <class List, class Each>
+  void spread(const Field& field, const List& list, bool exist, const Each& each) {
+    if (!open(field, Shape::kSpread)) return;
+    if (exist || sees_all())
+      for (std::size_t i = 0; i < list.size(); ++i) part_of(list[i], i, each);
+    close();
+  }
+  // Of values.
+  template <class List, class Value>
+  void values(const Field& field, const List& list, const Value& value) {
+    if (!open(field, Shape::kValues)) return;
+    for (const auto& element : list) take({}, field_value(value(element)));
+    close();
+  }
+  template <class List>
+  void values(const Field& field, const List& list) {
+    values(
+        field, list, [](const auto& value) -> const auto& { return value; });
+  }
+
+  // Of lists of values, so many.
+  template <class Row>
+  void lists(const Field& field, std::size_t count, const Row& row) {
+    if (!open(field, Shape::kList)) return;
+    for (std::size_t i = 0; i < count; ++i) values({}, row(i));
+    close();
+  }
+
+  // A row of the table: what `body` hands over is in its columns.
+  template <class Body>
+  void row(std::string_view table, const Body& body) {
+    if (!begin_row(table)) return;
+    body();
+    end_row(table);
+  }
+  // Of what is computed for a table alone.
+  virtual bool wants_rows(std::string_view) const { return false; }
+  // Whether lists are looked at by an element that stands for all, and whatever may be there is.
+  virtual bool sees_all() const { return false; }
+  // What is for documents, or for tables, alone.
+  template <class Body>
+  void only(Field::Use use, const Body& body) {
+    if (wants(use)) body();
+  }
+  // Before the names of columns of what `body` hands over.
+  template <class Body>
+  void prefix(std::string_view words, const Body& body) {
+    const std::string before = set_prefix(words);
+    body();
+    set_prefix(before);
+  }
+
+  // While it is there, what is handed over is that of some elements alone: `who` they are, for the
+  // reference. False where this one is none of them.
+  class Some {
+   public:
+    Some(ResultVisitor& visitor, bool exist, std::string_view who)
+        : visitor_(visitor), exist_(exist || visitor.sees_all()) {
+      visitor_.begin_some(who);
+    }
+    Some(const Some&) = delete;
+    Some& operator=(const Some&) = delete;
+    ~Some() { visitor_.end_some(); }
+    explicit operator bool() const { return exist_; }
+
+   private:
+    ResultVisitor& visitor_;
+    bool exist_;
+  };
+  [[nodiscard]] Some where(bool exist, std::string_view who) { return Some(*this, exist, who); }
+
+ protected:
+  enum class Shape { kPart, kValues, kList, kColumns, kSpread, kElement };
+  // Whether its inside is wanted; close() follows then.
+  virtual bool open(const Field& field, Shape shape) = 0;
+  virtual void close() = 0;
+  virtual bool wants(Field::Use) const { return true; }
+  virtual void take(const Field& field, const FieldValue& value) = 0;
+  virtual bool begin_row(std::string_view) { return true; }
+  virtual void end_row(std::string_view) {}
+  // Returns what it was.
+  virtual std::string set_prefix(std::string_view) { return {}; }
+  // Whether the next elements stand for the names of their fields alone.
+  virtual void hear_names_only(bool) {}
+  virtual void begin_some(std::string_view) {}
+  virtual void end_some() {}
+
+ private:
+  template <class Element, class Each>
+  void part_of(const Element& element, std::size_t i, const Each& each) {
+    if (!open({}, Shape::kElement)) return;
+    each(element, i);
+    close();
+  }
+  template <class List, class Each>
+  void parts(const List& list, const Each& each) {
+    if (sees_all()) {
+      static const std::ranges::range_value_t<List> any{};
+      part_of(any, 0, each);
+    } else {
+      std::size_t i = 0;
+      for (const auto& element : list) part_of(element, i++, each);
+    }
+    close();
+  }
+};
+
+}  // namespace graze

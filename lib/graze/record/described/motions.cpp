@@ -1,0 +1,178 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <ranges>
+
+#include "graze/record/described/detail/descriptions.hpp"
+#include "graze/record/described/detail/shared_parts.hpp"
+#include "graze/record/names/detail/kind_names.hpp"
+#include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/system/detail/hub_state.hpp"
+
+namespace graze {
+namespace {
+
+void describe_final(ResultVisitor& v, const System& system, const Simulation& run) {
+  v.part({"final", "", "the state at the end"}, [&] {
+    const bool turns = system.turns();
+    const HubState hub = turns ? hub_state(*system.rotation(), run.final) : HubState{};
+    const State& state = turns ? hub.beam : run.final;
+    v.field({"time", "s"}, run.end_time);
+    v.values({"q", "kg^1/2 m", "with a hub of the beam"}, state.q);
+    v.values({"qdot", "kg^1/2 m/s"}, state.qdot);
+    v.values({"stuck", "", "closed stops"}, run.stuck, [](int stop) { return stop + 1; });
+    v.values({"forces", "N", "of each stop, closed or compressed; 0 where open"}, run.forces);
+    const auto some = v.where(turns, "with a hub");
+    if (!some) return;
+    v.field({"angle", "rad"}, hub.angle);
+    v.field({"rate", "rad/s"}, hub.rate);
+  });
+}
+
+void describe_totals(ResultVisitor& v, const RunTotals& totals) {
+  v.part({"totals", "", "over the run"}, [&] {
+    v.field({"impacts"}, totals.impacts);
+    v.field({"chatters"}, totals.chatters);
+    v.field({"stuck_time", "s"}, totals.stuck_time);
+    v.field({"energy_added_by_impacts", "J"}, totals.energy_added);
+    v.field({"energy_lost_by_impacts", "J"}, totals.energy_lost);
+    v.field({"smallest_gap", "m", "below zero by how deep a spring was compressed"},
+            totals.smallest_gap);
+    v.field({"undecided_touches", "", "grazings within rounding, passed without impact"},
+            totals.undecided_touches);
+    v.field({"clamped_restitutions", "", "impacts at which r(v) was clamped"},
+            totals.clamped_restitutions);
+  });
+}
+
+void describe_energy(ResultVisitor& v, const System& system, const EnergyBalance& balance) {
+  const EnergyEntries entries = energy_entries(system, balance);
+  v.part(
+      {"energy", "J",
+       "start + forcing + load + constraint + impacts + contact - dissipation - end = defect; "
+       "null for effects that the scene does not have"},
+      [&] {
+        v.field({"start", "J"}, balance.start);
+        v.field({"forcing", "J"}, entries.forcing);
+        v.field({"load", "J"}, entries.load);
+        v.field({"constraint", "J"}, entries.constraint);
+        v.field({"impacts", "J"}, entries.impacts);
+        v.field({"dissipation", "J"}, entries.dissipation);
+        v.field({"end", "J"}, balance.now);
+        v.field({"defect", "J"}, balance.defect());
+        v.field({"relative_defect", "", "to the largest of them"}, relative_defect(balance));
+        if (const auto some = v.where(entries.contact.has_value(), "with compliant stops"))
+          v.field({"contact", "J", "their work, with the energy that they store"}, entries.contact);
+      });
+}
+
+void describe_forces(ResultVisitor& v, const StopForces& forces) {
+  v.part({"forces", "", "mean forces over windows of time, with `--forces`"}, [&] {
+    v.field({"from", "s"}, forces.from);
+    v.field({"window", "s", "its length"}, forces.length);
+    v.lists(
+        {"means", "N", "of every stop"},
+        forces.means.size(), [&](std::size_t i) -> const auto& { return forces.means[i]; });
+    const std::size_t windows = forces.means.empty() ? 0 : forces.means.front().size();
+    v.list(Field{"windows"}.tabular(), std::views::iota(std::size_t{0}, windows),
+           [&](std::size_t k, std::size_t) {
+             v.row("forces", [&] {
+               const auto begin = static_cast<double>(k);
+               v.field({"from", "s"}, forces.from + begin * forces.length);
+               v.field({"to", "s"}, forces.from + (begin + 1) * forces.length);
+               for (std::size_t i = 0; i < forces.means.size(); ++i) {
+                 const double* mean = entry(forces.means[i], k);
+                 v.field({fmt::format("force{}", i + 1), "N"}, mean ? *mean : NAN);
+               }
+             });
+           });
+  });
+}
+
+void describe_points(ResultVisitor& v, const RunSection& section) {
+  const bool of_impacts = section.kind() == DiagramSection::kImpact;
+  v.part({"section", "", "with `--section`"}, [&] {
+    v.field({"kind"}, name_of(section.kind()));
+    v.field({"from", "s"}, section.from());
+    // How many, where documents have the lists beside it.
+    v.only(Field::Use::kDocument, [&] { v.field({"points"}, section.points().size()); });
+    v.field({"left_out", "", "beyond a million"}, section.left_out());
+    v.columns({}, section.points(), [&](const SectionPoint& point, std::size_t) {
+      v.row("section", [&] {
+        v.field({"time", "s"}, point.time);
+        v.field({"stop", "", "from 1"}, point.stop + 1);
+        if (of_impacts) {
+          v.field({"phase", "rad"}, point.across);
+          v.field({"speed", "m/s", "of approach"}, point.up);
+        } else {
+          v.field({"displacement", "m", "towards the stop"}, point.across);
+          v.field({"velocity", "m/s"}, point.up);
+        }
+      });
+    });
+  });
+}
+
+}  // namespace
+
+void describe(ResultVisitor& v, const Event& event) {
+  const auto is = [&](auto... kinds) { return ((event.kind == kinds) || ...); };
+  const bool impact = is(EventKind::kImpact), chatter = is(EventKind::kChatter);
+  const bool parts = is(EventKind::kSeparation), meets = impact || is(EventKind::kContact);
+  v.field({"kind", "", "`impact`, `chatter`, `stick`, `release`, `contact`, `separation`"},
+          name_of(event.kind));
+  v.field({"time", "s"}, event.time);
+  v.field({"stop", "", "from 1"}, event.stop + 1);
+  if (const auto some = v.where(meets || parts, "at impacts, contacts and separations"))
+    v.field({"speed", "m/s", "of approach; of a separation away"}, event.speed);
+  if (const auto some = v.where(meets, "at impacts and contacts"))
+    v.field({"phase", "rad"}, event.phase);
+  if (const auto some = v.where(impact || parts || chatter, "at impacts, chatters and separations"))
+    v.field({"energy_change", "J",
+             "kinetic; of a chatter by the tail that was summed; of a separation minus what the "
+             "stop took"},
+            event.energy_change);
+  if (const auto some = v.where(chatter, "of a chatter")) {
+    v.field({"impacts"}, event.impacts);
+    v.field({"closure_speed", "m/s"}, event.closure_speed);
+  }
+  if (const auto some = v.where(is(EventKind::kStick), "where it sticks"))
+    v.field({"force", "N", "the initial contact force"}, event.force);
+  const auto some = v.where(parts, "at separations");
+  if (!some) return;
+  v.field({"duration", "s"}, event.duration);
+  v.field({"peak_force", "N"}, event.peak_force);
+  v.field({"effective_restitution", "",
+           "speed away over speed of approach, null where it was entered at rest"},
+          event.effective_restitution);
+}
+
+void describe(ResultVisitor& v, const std::vector<Event>& events) {
+  v.list({"events"}, events,
+         [&](const Event& event, std::size_t) { v.row("events", [&] { describe(v, event); }); });
+}
+
+void describe(ResultVisitor& v, const SimulationRecord& record) {
+  const Simulation& run = record.run;
+  describe_head(v, record.info, record.outcome, record.warnings);
+  if (const auto some = v.where(!record.notes.empty(), "if there are any"))
+    v.values({"notes", "", "sentences"}, record.notes);
+  // They come and go with the run.
+  v.only(Field::Use::kDocument, [&] { describe(v, std::vector<Event>()); });
+  describe_final(v, record.system, run);
+  describe_totals(v, run.totals);
+  if (run.energy) describe_energy(v, record.system, *run.energy);
+  if (run.amplitudes) {
+    describe_amplitudes(v, record.places, &*run.amplitudes);
+    v.field({"measured_time", "s"}, run.amplitudes->duration);
+    if (run.amplitudes->forces) describe_forces(v, *run.amplitudes->forces);
+  }
+  if (record.section) describe_points(v, *record.section);
+  v.field(Field{"gap", "m"}.unit_alone(), 0.0);
+  for (std::size_t i = 0; i < record.probes.size(); ++i)
+    v.field(
+        Field{fmt::format("probe_{}", i + 1), probe_unit(record.probes[i].quantity)}.unit_alone(),
+        0.0);
+}
+
+}  // namespace graze

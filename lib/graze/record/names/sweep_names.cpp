@@ -1,0 +1,94 @@
+#include "graze/record/names/detail/sweep_names.hpp"
+
+#include <fmt/format.h>
+
+#include "graze/base/angle.hpp"
+
+namespace graze {
+
+std::string name_of(SweepDirection direction) {
+  switch (direction) {
+    case SweepDirection::kUp:
+      return "up";
+    case SweepDirection::kDown:
+      return "down";
+    case SweepDirection::kFresh:
+      break;
+  }
+  return "fresh";
+}
+
+std::string name_of(SweepStart start) {
+  switch (start) {
+    case SweepStart::kScene:
+      return "scene";
+    case SweepStart::kHandedOn:
+      return "handed on";
+    case SweepStart::kAnew:
+      break;
+  }
+  return "anew";
+}
+
+std::string name_of(SweepStatus status) {
+  switch (status) {
+    case SweepStatus::kSettled:
+      return "settled";
+    case SweepStatus::kApproaching:
+      return "approaching";
+    case SweepStatus::kNotPeriodic:
+      return "not periodic";
+    case SweepStatus::kImpactBudget:
+      return "impact budget";
+    case SweepStatus::kRefused:
+      return "refused";
+    case SweepStatus::kNoStart:
+      break;
+  }
+  return "no start";
+}
+
+std::string name_of(DiagramSection section) {
+  return section == DiagramSection::kImpact ? "impact" : "stroboscopic";
+}
+
+std::string attractor_kind(const AttractorClass& attractor) {
+  if (attractor.wandering == Wandering::kTorus) return "torus";
+  if (attractor.wandering == Wandering::kChaos) return "chaos";
+  if (attractor.period == 0) return name_of(attractor.status);
+  switch (attractor.kind) {
+    case SettledKind::kImpacts:
+      return "impacts";
+    case SettledKind::kSticks:
+      return "sticking";
+    case SettledKind::kAtRest:
+      return "at rest";
+    default:
+      return "clear";
+  }
+}
+
+std::string orbit_label(int period, long long impacts, bool sticks) {
+  if (sticks) return fmt::format("({},stick)", period);
+  return impacts == 0 ? "no impact" : fmt::format("({},{})", period, impacts);
+}
+
+std::string attractor_label(const AttractorClass& attractor) {
+  const bool sticks = attractor.kind == SettledKind::kSticks;
+  if (attractor.period > 0 && (sticks || attractor.kind == SettledKind::kImpacts))
+    return orbit_label(attractor.period, attractor.impacts, sticks);
+  return attractor_kind(attractor);
+}
+
+std::size_t stops_seen(const SweepRow& row) {
+  return row.stop_states.empty() ? 0 : static_cast<std::size_t>(row.stop_states.back().stop + 1);
+}
+
+long long period_index(const SweepRow& row, const MetImpact& impact) {
+  const std::size_t stops = stops_seen(row), shown = stops > 0 ? row.stop_states.size() / stops : 0;
+  return impact.period - (row.motion.periods - static_cast<long long>(shown));
+}
+
+double impact_phase(const MetImpact& impact) { return wrapped(impact.phase); }
+
+}  // namespace graze
