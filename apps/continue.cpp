@@ -8,7 +8,7 @@
 #include "branch_options.hpp"
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
-#include "graze/bifurcation/loci/detail/restart.hpp"
+#include "graze/bifurcation/problem/detail/option_faults.hpp"
 #include "graze/orbit/orbit_amplitudes.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
@@ -22,31 +22,15 @@
 namespace graze {
 
 BranchOptions branch_options(const BranchingOptions& command) {
-  if (command.from == command.to) throw InputError("--from, --to: the range must not be empty");
-  // A step has to be told apart from none in the parameter's last digits.
-  const double coarsest = 1e3 * std::numeric_limits<double>::epsilon() * 50.0 *
-                          std::max(std::abs(command.from), std::abs(command.to));
-  if (std::abs(command.to - command.from) < coarsest)
-    throw InputError(
-        fmt::format("--from, --to: the range must be wider than {:.3g} for its steps to "
-                    "be told apart in double precision",
-                    coarsest));
-  const double finest = std::abs(command.to - command.from) / kMostBranchPoints;
-  if (command.max_step && *command.max_step < finest)
-    throw InputError(
-        fmt::format("--max-step: a branch has at most {} points, steps of {:g} cannot "
-                    "cross the range; give at least {:.3g}",
-                    kMostBranchPoints, *command.max_step, finest));
   BranchOptions options;
   options.period = command.period;
   options.impacts = command.impacts.value_or(1);
   options.response = command.measures() || options.impacts == 0;
-  if (options.impacts == 0 && options.period != 1)
-    throw InputError("--period: the response that meets no stop has period 1; leave it out");
   options.follow_depth = command.follows ? command.depth : 0;
   options.from = command.from;
   options.to = command.to;
   options.max_step = command.max_step.value_or(0.0);
+  if (const auto fault = fault_in(options)) throw InputError(fault->text_of_program());
   options.keep_virtual = command.keep_virtual;
   // A number of impacts that was asked for is none of an orbit that closes a chatter.
   options.sticking = !command.impacts.has_value();
@@ -193,10 +177,7 @@ int run(const ContinueCommand& command) {
   if (command.measures())
     record.amplitudes = measure_branches(family, record.traced, command.threads, options.stop);
   record.outcome = branch_outcome(record.traced, options);
-  return conclude(command, record, scene, [&] {
-    return NamedFiles{special_file(record.info, {command.parameter},
-                                   special_orbits(record.traced, record.system))};
-  });
+  return conclude(command, record, scene);
 }
 
 }  // namespace graze

@@ -5,15 +5,13 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/bifurcation/loci/detail/restart.hpp"
-#include "graze/report/json/json.hpp"
 #include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/report/json/json.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "journals.hpp"
-#include "restart.hpp"
 #include "search_options.hpp"
 #include "session.hpp"
 #include "settling_options.hpp"
@@ -154,10 +152,7 @@ int run(const DiagramCommand& command) {
   record.branches.outcome = diagram_outcome(record.swept, traced);
   const bool swept = record.swept.stopped == StopReason::kNone;
   const StopReason stopped = swept ? record.branches.traced.stopped : record.swept.stopped;
-  return work.conclude(record, stopped, scene, [&] {
-    return NamedFiles{special_file(record.branches.info, {command.parameter},
-                                   special_orbits(record.branches.traced, record.branches.system))};
-  });
+  return work.conclude(record, stopped, scene);
 }
 
 }  // namespace graze

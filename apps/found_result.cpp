@@ -3,8 +3,8 @@
 #include <variant>
 
 #include "graze/record/file/spool.hpp"
-#include "graze/report/csv/csv.hpp"
 #include "graze/record/names/detail/kind_names.hpp"
+#include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 
 namespace graze {

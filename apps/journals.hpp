@@ -47,10 +47,9 @@ class JournalledWork {
   // As graze::conclude. The journal ends with work that was not stopped; the outcome of work that
   // was names the command that goes on.
   template <class Record>
-  int conclude(Record& record, StopReason stopped, const Scene& scene,
-               std::function<NamedFiles()> files = {}) {
+  int conclude(Record& record, StopReason stopped, const Scene& scene) {
     tell_how_to_go_on(stopped, outcome_of(record));
-    const int code = graze::conclude(command_, record, scene, std::move(files));
+    const int code = graze::conclude(command_, record, scene);
     end(stopped);
     return code;
   }

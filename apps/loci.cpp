@@ -128,10 +128,7 @@ int run_loci(const ContinueCommand& command) {
       record.boundaries = region_boundaries(*record.regions, record.traced);
     record.outcome = regions_outcome(*record.regions, record.outcome);
   }
-  return conclude(command, record, scene, [&] {
-    return NamedFiles{special_file(record.info, {command.parameter, command.second},
-                                   special_orbits(record.traced))};
-  });
+  return conclude(command, record, scene);
 }
 
 }  // namespace graze

@@ -6,10 +6,10 @@
 #include <algorithm>
 
 #include "graze/base/errors.hpp"
-#include "graze/record/file/detail/special_file.hpp"
+#include "graze/bifurcation/loci/detail/restart.hpp"
+#include "graze/record/stored/detail/record_file.hpp"
 #include "graze/scene/detail/difference.hpp"
 #include "graze/scene/parameter.hpp"
-#include "graze/scene/reader.hpp"
 #include "run_folder.hpp"
 
 namespace graze {
@@ -42,19 +42,38 @@ const SpecialOrbit& special_called(const std::string& label, const std::string& 
       fmt::format("--label: {} has no special point {}; {}", folder, label, names_of(points)));
 }
 
+struct SpecialPoints {
+  std::vector<std::string> parameters;  // one of a branch, two of a locus
+  std::vector<SpecialOrbit> points;
+};
+
+SpecialPoints special_points(const StoredResult& run) {
+  const auto of_branches = [](const BranchRecord& record) {
+    return SpecialPoints{{record.traced.parameter}, special_orbits(record.traced, record.system)};
+  };
+  if (const auto* record = std::get_if<BranchRecord>(&run.record)) return of_branches(*record);
+  if (const auto* record = std::get_if<DiagramRecord>(&run.record))
+    return of_branches(record->branches);
+  if (const auto* record = std::get_if<LociRecord>(&run.record))
+    return {{record->traced.first, record->traced.second}, special_orbits(record->traced)};
+  throw InputError(
+      fmt::format("--restart: {} holds no branches and no loci; give a folder of "
+                  "graze continue or graze diagram",
+                  run.folder.string()));
+}
+
 }  // namespace
 
 std::optional<Restart> read_restart(const ContinueCommand& command, const Scene& scene) {
   if (command.restart.folder.empty()) return {};
-  const std::filesystem::path folder = command.restart.folder;
-  refuse_own_folder(command, folder, "--restart");
-  const Scene run = read_scene(folder / "scene.toml");
-  const SpecialPoints special = read_special_points(folder / kSpecialFile, run);
-  const std::string difference = scene_difference(run, scene, special.parameters);
+  const StoredResult run = read_result(command.restart.folder);
+  refuse_own_folder(command, run.folder, "--restart");
+  const SpecialPoints special = special_points(run);
+  const std::string difference = scene_difference(run.scene, scene, special.parameters);
   if (!difference.empty())
     throw InputError(
         fmt::format("--restart: the run in {} is of another scene: {}; give {} as the scene",
-                    command.restart.folder, difference, (folder / "scene.toml").string()));
+                    command.restart.folder, difference, (run.folder / kSceneFile).string()));
   Restart restart{special_called(command.restart.label, command.restart.folder, special.points),
                   special.parameters, scene};
   for (std::size_t i = 0; i < restart.parameters.size(); ++i)
@@ -88,13 +107,6 @@ void record_restart(const ContinueCommand& command, RunInfo& info) {
   info.options.emplace_back("virtual", command.keep_virtual);
   info.options.emplace_back("max_impacts", command.max_impacts);
   info.options.emplace_back("max_seconds", command.max_seconds);
-}
-
-std::pair<std::string, std::string> special_file(const RunInfo& info,
-                                                 std::vector<std::string> parameters,
-                                                 std::vector<SpecialOrbit> points) {
-  return {kSpecialFile, write_special_points({info.version, info.scene_sha256,
-                                              std::move(parameters), std::move(points)})};
 }
 
 }  // namespace graze

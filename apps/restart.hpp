@@ -35,9 +35,4 @@ void note_values(const Restart& restart, const std::vector<std::string>& varied,
 // --restart, --label and --switch among the options of a run, in place of those of a search.
 void record_restart(const ContinueCommand& command, RunInfo& info);
 
-// The special points of a run over these parameters, as a file of its folder: name and content.
-std::pair<std::string, std::string> special_file(const RunInfo& info,
-                                                 std::vector<std::string> parameters,
-                                                 std::vector<SpecialOrbit> points);
-
 }  // namespace graze

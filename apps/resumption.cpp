@@ -2,22 +2,37 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <limits>
 
 #include "graze/base/errors.hpp"
+#include "graze/record/stored/detail/record_file.hpp"
 #include "graze/report/text/detail/shell_word.hpp"
 #include "run_folder.hpp"
 
 namespace graze {
 
-CutRun read_cut_run(const SimulateCommand& command, const System& system, const RunInfo& info) {
-  std::filesystem::path file = command.resume;
-  std::error_code no_matter;  // what cannot be looked at cannot be read either
-  if (std::filesystem::is_directory(file, no_matter)) file /= kStateFile;
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  refuse_own_folder(command, folder, "--resume");
-  return read_run_state(file, system, info.scene_sha256);
+CutRun read_cut_run(const SimulateCommand& command, const RunInfo& info) {
+  const StoredResult before = read_result(command.resume);
+  const std::string folder = before.folder.string();
+  refuse_own_folder(command, before.folder, "--resume");
+  const auto* run = std::get_if<SimulationRecord>(&before.record);
+  if (!run) throw InputError(fmt::format("--resume: {} holds no run of graze simulate", folder));
+  if (run->info.scene_sha256 != info.scene_sha256)
+    throw InputError(
+        fmt::format("--resume: the run in {} is of another scene; go on with the scene that was "
+                    "simulated, with the same --set (it is {})",
+                    folder, (before.folder / kSceneFile).string()));
+  if (run->outcome.name == "refused")
+    throw InputError(fmt::format(
+        "--resume: the run in {} ended on a stop on which it cannot be followed, it cannot go on",
+        folder));
+  if (run->outcome.name == "not_finite")
+    throw InputError(fmt::format(
+        "--resume: the motion in {} left the range of double precision, it cannot go on", folder));
+  CutRun cut{run->run.end_time, {}, run->run.state};
+  for (const auto& [name, value] : run->info.options)
+    if (name == "sample_rate") cut.sample_rate = std::get<double>(value);
+  return cut;
 }
 
 void check_end(const CutRun& cut, const SimulationOptions& options, const System& system) {

@@ -2,15 +2,21 @@
 #pragma once
 
 #include "command.hpp"
-#include "graze/record/file/detail/run_state.hpp"
 #include "graze/record/file/run_info.hpp"
 #include "graze/record/records.hpp"
 
 namespace graze {
 
-// The run that --resume names, by its state file or the folder that holds it. Throws InputError
-// also where --out is that folder, whose tables would be lost.
-CutRun read_cut_run(const SimulateCommand& command, const System& system, const RunInfo& info);
+// A run that was cut, to go on from.
+struct CutRun {
+  double time = 0.0;                  // s, where it was cut
+  std::optional<double> sample_rate;  // 1/s, of the samples counted in `state`; absent: none
+  RunState state;
+};
+
+// The run that --resume names by its folder. Throws FileError where there is none; InputError where
+// it is of another scene, cannot go on, or --out is that folder, whose tables would be lost.
+CutRun read_cut_run(const SimulateCommand& command, const RunInfo& info);
 
 // Throws InputError where the run is past the end asked for; both count from t = 0.
 void check_end(const CutRun& cut, const SimulationOptions& options, const System& system);

@@ -57,7 +57,7 @@ struct Result {
   std::function<std::string(const TextOptions&)> text;
   std::function<NamedFiles()> files{};  // beside the document; empty: none
   std::function<void()> draw{};
-  std::vector<PendingFile> tables{};   // files that have grown on the way
+  std::vector<PendingFile> tables{};        // files that have grown on the way
   std::vector<NamedTable> record_tables{};  // those that the record makes
   // The record as a file, for graze view, from the checksum of the document; empty: none.
   std::function<std::string(const std::string& document_checksum)> record{};

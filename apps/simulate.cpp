@@ -13,8 +13,8 @@
 #include "graze/assembly/probes.hpp"
 #include "graze/base/angle.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/report/json/json.hpp"
 #include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "resumption.hpp"
@@ -254,7 +254,7 @@ Plan planned(const SimulateCommand& command, const Scene& scene, SimulationRecor
   plan.options.steps = step_choice(scene, system, plan.start);
   if (command.amplitudes) record.places = measured_places(scene, system);
   if (!command.resume.empty()) {
-    plan.cut = read_cut_run(command, system, record.info);
+    plan.cut = read_cut_run(command, record.info);
     check_end(*plan.cut, plan.options, system);
   }
   plan.options.measure = measure_options(command, record, plan.cut ? plan.cut->time : 0.0,
@@ -270,18 +270,10 @@ Plan planned(const SimulateCommand& command, const Scene& scene, SimulationRecor
   return plan;
 }
 
-// What --resume goes on from.
-CutRun state_left(const SimulateCommand& command, const SimulationRecord& record, double rate,
-                  long long stride) {
-  CutRun state{record.info.version,
-               record.info.scene_sha256,
-               record.outcome.name,
-               record.run.end_time,
-               command.record == "samples" ? std::optional<double>(rate) : std::nullopt,
-               record.run.state};
-  // Those of a picture are none to go on with; of a table it is a part of them.
-  state.state.samples = state.sample_rate ? (state.state.samples + stride - 1) / stride : 0;
-  return state;
+// What --resume counts on from: samples of a picture are none to go on with, of a table it has a
+// part of them.
+void leave_state(const SimulateCommand& command, long long stride, RunState& state) {
+  state.samples = command.record == "samples" ? (state.samples + stride - 1) / stride : 0;
 }
 
 }  // namespace
@@ -318,10 +310,9 @@ int run(const SimulateCommand& command) {
   place_beam(command, scene, record);
   if (command.show == RunPicture::kShapes)
     add_shapes(command.shape_times, plan.start, plan.options, record);
-  const CutRun state = state_left(command, record, plan.rate, plan.listened.stride);
-  const auto files = [&] { return NamedFiles{{kStateFile, write_run_state(state)}}; };
+  leave_state(command, plan.listened.stride, record.run.state);
   return conclude(
-      command, record, scene, files,
+      command, record, scene, {},
       {[&] { return to_json(record, output.events()); }, {}, {}, {}, output.take_tables()});
 }
 

@@ -1,7 +1,7 @@
 #include "simulate_options.hpp"
 
-#include "graze/record/run_picture.hpp"
 #include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/record/run_picture.hpp"
 #include "option_groups.hpp"
 #include "option_values.hpp"
 #include "picture_options.hpp"
@@ -98,7 +98,7 @@ void add_run_picture(CLI::App* app, SimulateCommand& command) {
 void add_resumption(CLI::App* app, SimulateCommand& command) {
   begin_group(app, "Motion");
   app->add_option("--resume", command.resume,
-                  "Go on from the state.toml that --out left, given as file or folder; the end "
+                  "Go on from the run in a folder that --out wrote; the end "
                   "still counts from t = 0")
       ->type_name("FILE|DIR");
 }

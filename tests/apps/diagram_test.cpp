@@ -124,7 +124,7 @@ TEST(Diagram, WritesItsTablesWhole) {
     EXPECT_EQ(run.code, 0) << run.err;
     const std::vector<std::string> names = {"branches.csv", "record.json", "result.json",
                                             "rows.journal", "scene.toml",  "special.csv",
-                                            "special.toml", "sweep.csv"};
+                                            "sweep.csv"};
     EXPECT_EQ(names_in(folder), names);
     const std::vector<std::string> lines = lines_of(folder + "/sweep.csv");
     EXPECT_EQ(lines.front(),

@@ -144,6 +144,13 @@ TEST_F(Restart, SaysWhatIsWrong) {
                       "/nowhere" + kOverFrequency)
                 .code,
             4);
+  const ScratchFolder scratch;
+  const std::string orbits = (scratch / "orbits").string();
+  ASSERT_EQ(run_graze("orbit --out " + orbits + " " + scene("05_wagg_one_mode.toml")).code, 0);
+  const Finished none = run_graze("continue " + orbits + "/scene.toml --label PD1 --restart " +
+                                  orbits + kOverFrequency);
+  EXPECT_EQ(none.code, 2);
+  EXPECT_NE(none.err.find("holds no branches"), std::string::npos) << none.err;
 }
 
 // The scene may differ in what its orbits do not depend on, and in the run's own parameter.

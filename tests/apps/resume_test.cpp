@@ -68,7 +68,10 @@ TEST(Resume, GoesOnByteForByteFromAnyTime) {
       // In flight, in the summed tail, at rest.
       {"06_bouncing_ball.toml", "5", {"0.2", "2", "4.0637110", "4.5"}},
       {"07_two_stops.toml", "1", {"0.217", "0.4444", "0.8"}},
-      {"08_preloaded_oscillator.toml", "30", {"2", "4.61", "12", "20"}}};
+      {"08_preloaded_oscillator.toml", "30", {"2", "4.61", "12", "20"}},
+      // Before, within and after contacts on springs.
+      {"12_spring_dashpot_oscillator.toml", "20", {"1", "2.5", "3", "3.5", "10"}},
+      {"14_beam_against_a_ball.toml", "0.2", {"0.05", "0.1", "0.11", "0.15"}}};
   for (const Case& c : cases) {
     Runs runs(scene(c.scene));
     runs.run("whole", "--duration " + c.end);
@@ -90,7 +93,7 @@ TEST(Resume, GoesOnAfterARunThatWasStopped) {
       SCOPED_TRACE(std::string(name) + " after impact " + impacts);
       const std::string first = "first" + std::string(impacts), second = first + "on";
       runs.run(first, "--duration 1 --max-impacts " + std::string(impacts), 3);
-      runs.run(second, "--duration 1 --resume " + runs.folder(first) + "/state.toml");
+      runs.run(second, "--duration 1 --resume " + runs.folder(first) + "/record.json");
       expect_same(runs, "whole", first, second);
     }
   }
@@ -204,13 +207,14 @@ TEST(Resume, SaysWhyItCannot) {
   const std::string from = "--resume " + run + " ";
   refused(from + "--duration 0.5 " + kBall, 2, "t = 0.5 s, lies before t = 1 s");
   refused(from + "--duration 2 --set stop.gap=0.9 " + kBall, 2,
-          run + "/state.toml:4:1: scene_sha256: ");
+          "the run in " + run + " is of another scene");
   refused(from + "--duration 2 --out " + run + " " + kBall, 2, "give another folder");
-  refused("--resume " + run + "/scene.toml --duration 2 " + kBall, 2,
-          "this is not the state of a run");
-  refused("--resume " + run + "/result.json --duration 2 " + kBall, 2, "toml");
-  refused("--resume " + scratch.string() + " --duration 2 " + kBall, 4, "cannot read");
-  refused("--resume no/such/file --duration 2 " + kBall, 4, "cannot read");
+  refused("--resume " + run + "/scene.toml --duration 2 " + kBall, 4, "record.json");
+  refused("--resume " + scratch.string() + " --duration 2 " + kBall, 4, "record.json");
+  refused("--resume no/such/file --duration 2 " + kBall, 4, "there is no such folder");
+  const std::string orbits = (scratch / "orbits").string();
+  ASSERT_EQ(run_graze("orbit --out " + orbits + " " + kOneMode).code, 0);
+  refused("--resume " + orbits + " --duration 2 " + kBall, 2, "holds no run of graze simulate");
   EXPECT_EQ(read_text(run + "/result.json"), before);
   // The scene in force is what counts, not the file that it came from.
   EXPECT_EQ(run_graze("simulate " + from + "--duration 2 " + run + "/scene.toml").code, 0);

@@ -216,9 +216,8 @@ TEST(Simulate, TablesHoldWhatTheDocumentHolds) {
       "--sample-rate 200 --out " +
       folder + " " + kMomentum);
   ASSERT_EQ(run.code, 0) << run.err;
-  EXPECT_EQ(names_in(folder),
-            (std::vector<std::string>{"events.csv", "record.json", "result.json", "samples.csv",
-                                      "scene.toml", "state.toml"}));
+  EXPECT_EQ(names_in(folder), (std::vector<std::string>{"events.csv", "record.json", "result.json",
+                                                        "samples.csv", "scene.toml"}));
   EXPECT_EQ(read_text(folder + "/result.json"), run.out);
   const json document = json::parse(run.out);
   const std::vector<std::string> events = lines_of(folder + "/events.csv");
@@ -257,9 +256,8 @@ TEST(Simulate, ArraysOfSamplesHoldWhatTheirTableHolds) {
                            scene("16_strain_gauge.toml") + " --out ";
   ASSERT_EQ(run_graze(line + table).code, 0);
   ASSERT_EQ(run_graze(line + arrays + " --sample-format npz").code, 0);
-  EXPECT_EQ(names_in(arrays),
-            (std::vector<std::string>{"events.csv", "record.json", "result.json", "samples.npz",
-                                      "scene.toml", "state.toml"}));
+  EXPECT_EQ(names_in(arrays), (std::vector<std::string>{"events.csv", "record.json", "result.json",
+                                                        "samples.npz", "scene.toml"}));
   const std::vector<std::string> rows = lines_of(table + "/samples.csv");
   const std::vector<std::string> names = support::split_cells(rows[0]);
   const auto members = zip_members(arrays + "/samples.npz");

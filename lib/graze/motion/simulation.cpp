@@ -37,7 +37,7 @@ class Run {
     motion_.stop_on(options.stop);
     note_gaps();
     if (options.energy && !state_.keeps_balance)
-      state_.balance.start = mechanical_energy(system_, motion_.q(), motion_.qdot());
+      state_.balance = {mechanical_energy(system_, motion_.q(), motion_.qdot()), 0.0, {}, 0.0};
     state_.keeps_balance = options.energy;
   }
 

@@ -9,7 +9,9 @@
 
 #include "graze/base/parallel.hpp"
 #include "graze/bifurcation/loci/detail/grazing_places.hpp"
+
 #include "graze/bifurcation/loci/detail/locus_tracer.hpp"
+#include "graze/bifurcation/problem/detail/option_faults.hpp"
 #include "graze/scene/parameter.hpp"
 
 namespace graze {
@@ -64,6 +66,9 @@ class LociTracer {
         tracer_(scene, first, second, range_, segment_) {
     if (are_same_parameter(first, second))
       throw InputError(first + ": a locus takes two parameters that differ from one another");
+    if (const auto fault = fault_in(options.branches)) throw InputError(fault->text());
+    if (options.second_from == options.second_to)
+      throw InputError("second_from, second_to: the range must not be empty");
     result_.first = first;
     result_.second = second;
   }

@@ -5,10 +5,12 @@
 #include <utility>
 
 #include "graze/assembly/initial_state.hpp"
+#include "graze/base/errors.hpp"
 #include "graze/base/parallel.hpp"
 #include "graze/bifurcation/bounds/detail/admissible_runs.hpp"
 #include "graze/bifurcation/bounds/detail/closed_form_survey.hpp"
 #include "graze/bifurcation/bounds/detail/speed_survey.hpp"
+#include "graze/bifurcation/problem/detail/option_faults.hpp"
 #include "graze/bifurcation/trace/detail/branch_collector.hpp"
 #include "graze/bifurcation/trace/detail/shown_branches.hpp"
 #include "graze/motion/simulation.hpp"
@@ -303,6 +305,7 @@ OrbitBranches trace_orbits(const SystemFamily& family, const BranchOptions& opti
 
 OrbitBranches trace_orbits(const SystemFamily& family, const BranchOptions& options,
                            const ShownNumber& shown) {
+  if (const auto fault = fault_in(options)) throw InputError(fault->text());
   return OrbitTracer(family, options, shown).trace();
 }
 

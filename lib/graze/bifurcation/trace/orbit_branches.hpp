@@ -10,7 +10,8 @@ namespace graze {
 
 // Traces every branch of (p, k) orbits that the starts lead to, and with `follow_depth` those that
 // are connected to them. Without `keep_virtual` a branch ends at the grazing where its solutions
-// stop being orbits of the system.
+// stop being orbits of the system. Throws InputError where the options cannot be traced with: an
+// empty range, a negative step, impacts of -1.
 OrbitBranches trace_orbits(const SystemFamily& family, const BranchOptions& options);
 
 }  // namespace graze

@@ -106,7 +106,7 @@ void describe_contact(ResultVisitor& v, const std::optional<ContactOrders>& cont
   const auto some = v.where(contact.has_value(), "where a stop is compliant");
   if (!some) return;
   v.part({"contact", "", "the first one"}, [&] {
-    if (const auto some = v.where(first.stop < 0, "where there is none"))
+    if (const auto none = v.where(first.stop < 0, "where there is none"))
       v.field({"message"}, first.message);
     const auto any = v.where(first.stop >= 0, "else");
     if (!any) return;

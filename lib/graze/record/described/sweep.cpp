@@ -42,7 +42,7 @@ void describe_exponents(ResultVisitor& v, const SweepRow& row, Eigen::Index coun
     v.values({"exponents", "1/s", "largest first; null: minus infinity"}, known.values);
     v.values({"exponent_errors", "1/s", "standard errors"}, known.errors);
     v.field({"lost_exponents", "", "how many are minus infinity"}, known.lost);
-    if (const auto some = v.where(!known.failure.empty(), "where they could not be had"))
+    if (const auto failed = v.where(!known.failure.empty(), "where they could not be had"))
       v.field({"exponent_message"}, known.failure);
   }
   const auto whole = [&](const char* name, const char* what, long long value) {

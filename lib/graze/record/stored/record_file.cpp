@@ -117,7 +117,8 @@ StoredResult read_result(const std::filesystem::path& place) {
   std::error_code no_matter;  // what cannot be looked at cannot be read either
   StoredResult result;
   result.folder = place;
-  if (place.filename() == kDocumentFile && !std::filesystem::is_directory(place, no_matter))
+  const bool names_file = place.filename() == kDocumentFile || place.filename() == kRecordFile;
+  if (names_file && !std::filesystem::is_directory(place, no_matter))
     result.folder = place.has_parent_path() ? place.parent_path() : ".";
   const std::filesystem::path file = result.folder / kRecordFile;
   if (!std::filesystem::exists(result.folder, no_matter))

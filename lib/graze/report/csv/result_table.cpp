@@ -11,7 +11,7 @@ namespace graze {
 namespace {
 
 constexpr std::size_t kPiece = 64 * 1024;  // of text
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 using Text = std::back_insert_iterator<std::string>;
 
@@ -78,7 +78,7 @@ std::vector<double>& ColumnBuilder::numbers() {
 }
 
 void ColumnBuilder::add_number(double value) {
-  numbers().push_back(std::isfinite(value) ? value : kNone);
+  numbers().push_back(std::isfinite(value) ? value : kNoNumber);
 }
 
 void ColumnBuilder::add_whole(std::int64_t value) {
@@ -110,7 +110,7 @@ void ColumnBuilder::skip(std::size_t count) {
   else if (auto* truths = std::get_if<TruthColumn>(&column_.values))
     truths->codes.insert(truths->codes.end(), count, kUnknown);
   else if (count > 0)
-    numbers().insert(numbers().end(), count, kNone);
+    numbers().insert(numbers().end(), count, kNoNumber);
 }
 
 ResultColumn ColumnBuilder::take() {

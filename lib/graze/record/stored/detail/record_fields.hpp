@@ -20,9 +20,6 @@ template <class Archive>
 void fields(Archive&, System&) {}
 template <class Archive>
 void fields(Archive&, std::optional<BeamPlaces>&) {}
-// Stands beside the record as a file to go on from.
-template <class Archive>
-void fields(Archive&, RunState&) {}
 // Without the text of the scene, which stands beside the record, and without the call, which its
 // file tells before it.
 template <class Archive>
