@@ -183,7 +183,8 @@ int conclude(const CommonOptions& command, const RunInfo& info, const Outcome& o
         files.back().append(piece);
       });
     };
-    for (const NamedTable& table : result.record_tables) {
+    for (const NamedTable& table :
+         result.record_tables ? result.record_tables() : std::vector<NamedTable>()) {
       files.emplace_back(folder / (table.name + ".csv"));
       table.make().write_csv([&](std::string_view piece) { files.back().append(piece); });
     }

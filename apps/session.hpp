@@ -57,8 +57,8 @@ struct Result {
   std::function<std::string(const TextOptions&)> text;
   std::function<NamedFiles()> files{};  // beside the document; empty: none
   std::function<void()> draw{};
-  std::vector<PendingFile> tables{};        // files that have grown on the way
-  std::vector<NamedTable> record_tables{};  // those that the record makes
+  std::vector<PendingFile> tables{};                         // files that have grown on the way
+  std::function<std::vector<NamedTable>()> record_tables{};  // those that the record makes
   // The record as a file, for graze view, from the checksum of the document; empty: none.
   std::function<std::string(const std::string& document_checksum)> record{};
 };
@@ -90,7 +90,7 @@ int conclude(const CommonOptions& command, Record& record, const Scene& scene,
     if (!result.json) result.json = json_of(record);
   result.text = text_of(record);
   result.files = std::move(files);
-  result.record_tables = tables_of(record);
+  result.record_tables = [&record] { return tables_of(record); };
   if constexpr (requires { draw(command, record, scene); })
     result.draw = [&] {
       if (nothing_to_draw(record).empty()) draw(command, record, scene);

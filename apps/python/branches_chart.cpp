@@ -28,7 +28,7 @@ ChartSeries series_of(const Look& look, bool is_line) {
 
 // Those that lie on top come last.
 void add_dots(const DiagramPanel& panel, ChartPanel& drawn) {
-  for (const char* id : {"lower", "wild", "largest", "periodic"}) {
+  for (const char* id : {"cut", "lower", "wild", "largest", "periodic"}) {
     ChartSeries series = series_of(dot_look(id), false);
     for (const DiagramPanel::Dot& dot : panel.dots) {
       if (dot.look->id != id) continue;

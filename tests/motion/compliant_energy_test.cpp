@@ -7,7 +7,6 @@
 #include "graze/assembly/initial_state.hpp"
 #include "graze/contact/detail/restitution_damping.hpp"
 #include "graze/flow/sprung/detail/sprung_phase.hpp"
-#include "graze/motion/detail/energy_changes.hpp"
 #include "graze/motion/simulation.hpp"
 #include "support/contact_laws.hpp"
 #include "support/reference.hpp"
@@ -97,7 +96,6 @@ TEST_P(CompliantEnergy, BalanceMayBeginWhereARunWasCut) {
   const Simulation before = simulate(system, support::rest(system), uncounted);
   const Simulation after = resume(system, before.state, counted(4.0));
   ASSERT_TRUE(after.energy);
-  EXPECT_EQ(after.energy->start, mechanical_energy(system, before.final.q, before.final.qdot));
   EXPECT_LE(std::abs(after.energy->defect()), 1e-12 * after.energy->size());
 }
 

@@ -23,6 +23,11 @@ def battery():
             else word
             for word in shlex.split(command)
         ]
+        if words[0] == "simulate":  # what a picture shows is chosen after the run
+            for option in ("--show", "--shapes-at"):
+                if option in words:
+                    at = words.index(option)
+                    del words[at : at + 2]
         rows.append((name, words))
     return rows
 

@@ -23,9 +23,9 @@ constexpr double kPi = std::numbers::pi;
 // what the parameters do meanwhile may be too small beside the unknowns to bend the locus.
 constexpr double kMostBorderTurn = 0.5;
 
-class LocusTracer {
+class EquationLocusTracer {
  public:
-  LocusTracer(const ZeroProblem& problem, const LocusOptions& options, LocusKind kind)
+  EquationLocusTracer(const ZeroProblem& problem, const LocusOptions& options, LocusKind kind)
       : problem_(problem),
         options_(options),
         kind_(kind),
@@ -271,7 +271,7 @@ class LocusTracer {
 
 std::optional<LocusPoint> solve_locus(const ZeroProblem& problem, const LocusOptions& options,
                                       const LocusStart& start) {
-  LocusTracer tracer(problem, options, start.kind);
+  EquationLocusTracer tracer(problem, options, start.kind);
   const std::optional<SolutionPoint> point = tracer.solve(start);
   if (!point) return {};
   return tracer.unpack(*point);
@@ -279,7 +279,7 @@ std::optional<LocusPoint> solve_locus(const ZeroProblem& problem, const LocusOpt
 
 std::optional<Locus> trace_locus(const ZeroProblem& problem, const LocusOptions& options,
                                  const LocusStart& start) {
-  LocusTracer tracer(problem, options, start.kind);
+  EquationLocusTracer tracer(problem, options, start.kind);
   const std::optional<SolutionPoint> point = tracer.solve(start);
   if (!point) return {};
   return tracer.trace(*point);
@@ -293,12 +293,12 @@ std::optional<std::size_t> find_locus(const ZeroProblem& problem, const LocusOpt
 }
 
 void KnownLoci::add(const ZeroProblem& problem, const LocusOptions& options, const Locus& locus) {
-  known_.push_back({locus.kind, LocusTracer(problem, options, locus.kind).as_known(locus)});
+  known_.push_back({locus.kind, EquationLocusTracer(problem, options, locus.kind).as_known(locus)});
 }
 
 std::optional<std::size_t> KnownLoci::find(const ZeroProblem& problem, const LocusOptions& options,
                                            const LocusStart& start) const {
-  LocusTracer tracer(problem, options, start.kind);
+  EquationLocusTracer tracer(problem, options, start.kind);
   const std::optional<SolutionPoint> point = tracer.solve(start);
   if (!point) return {};
   for (std::size_t i = 0; i < known_.size(); ++i)
