@@ -9,6 +9,7 @@
 
 #include "graze/contact/detail/restitution_damping.hpp"
 #include "program.hpp"
+#include "support/reference.hpp"
 
 namespace graze {
 namespace {
@@ -271,6 +272,40 @@ TEST(CompliantOrbits, GoOnAlongTheLociOfTheirSpecialPoints) {
   const Finished other = run_graze(from + "--label GR1 --locus PD");
   EXPECT_EQ(other.code, 2);
   EXPECT_NE(other.err.find("GR1 lies on a locus of GR"), std::string::npos) << other.err;
+}
+
+// A point of a branch tells how short the contacts of its orbit are; the simulation that starts on
+// the orbit tells how long they are.
+TEST(CompliantBranch, TellsItsShortestContact) {
+  const ScratchFolder scratch;
+  const std::string oscillator = scene("12_spring_dashpot_oscillator.toml");
+  const Finished run = run_graze("continue " + oscillator +
+                                 " --impacts 1 --parameter forcing.frequency --from 2.5 --to 3.2 "
+                                 "--json --out " +
+                                 scratch.string());
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json branch = json::parse(run.out)["branches"][0];
+  const std::size_t middle = branch["points"].size() / 2;
+  const json& point = branch["points"][middle];
+  const std::string frequency =
+      " --set forcing.frequency=" + point["value"].dump() + " " + oscillator;
+  const json orbit =
+      json::parse(run_graze("orbit --json --impacts 1" + frequency).out)["orbits"][0];
+  const json& start = orbit["section"];
+  const json motion = json::parse(
+      run_graze("simulate --json --periods 1 --set forcing.phase=" + start["phase"].dump() +
+                " --set 'initial.q=" + start["q"].dump() +
+                "' --set 'initial.qdot=" + start["qdot"].dump() + "'" + frequency)
+          .out);
+  ASSERT_EQ(motion["events"].size(), 2U);
+  EXPECT_NEAR(point["shortest_contact"].get<double>(),
+              motion["events"][1]["duration"].get<double>(), 1e-10);
+  const std::vector<std::string> rows = lines_of(scratch.string() + "/branches.csv");
+  const std::vector<std::string> names = support::split_cells(rows[0]);
+  const auto column = std::find(names.begin(), names.end(), "shortest_contact") - names.begin();
+  ASSERT_LT(static_cast<std::size_t>(column), names.size());
+  const std::vector<std::string> cells = support::split_cells(rows[1 + middle]);
+  EXPECT_EQ(std::stod(cells[static_cast<std::size_t>(column)]), point["shortest_contact"]);
 }
 
 }  // namespace

@@ -182,6 +182,7 @@ void tell_branches(Page& page, const System& system) {
   page.tell("orbit", orbits);
   BranchRecord branches;
   branches.system = system;
+  branches.system.stops.push_back({Vector::Ones(1), 1.0, ContactForce{}});
   branches.amplitudes.places = {tip()};
   page.tell("continue", branches);
   LociRecord loci;

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "graze/bifurcation/problem/detail/special_names.hpp"
 #include "graze/record/described/detail/descriptions.hpp"
 #include "graze/record/described/detail/shared_parts.hpp"
@@ -6,7 +8,17 @@
 namespace graze {
 namespace {
 
-void describe_point(ResultVisitor& v, const OrbitBranchPoint& point) {
+// Of those that last, s.
+std::optional<double> shortest_contact(const Orbit& orbit) {
+  std::optional<double> shortest;
+  for (const OrbitImpact& impact : orbit.impacts) {
+    const double duration = held(impact.contact).duration;
+    if (duration > 0.0) shortest = std::min(duration, shortest.value_or(duration));
+  }
+  return shortest;
+}
+
+void describe_point(ResultVisitor& v, const OrbitBranchPoint& point, bool compliant) {
   const Orbit& orbit = point.orbit;
   // Of an orbit at rest on its stop there is none.
   const OrbitImpact* first = entry(orbit.impacts, 0);
@@ -21,6 +33,9 @@ void describe_point(ResultVisitor& v, const OrbitBranchPoint& point) {
           point.unstable_multipliers);
   v.field({"clearance", "m", "smallest interior local minimum of a gap between the impacts"},
           orbit.clearance);
+  if (compliant)
+    v.field({"shortest_contact", "s", "of its contacts, on compliant stops"},
+            shortest_contact(orbit));
   if (const auto some = v.where(orbit.impacts.size() > 1, "with several impacts"))
     describe_impacts(v, orbit.impacts);
   v.field({"stuck", "", "whether the orbit sticks"}, orbit.sticks());
@@ -75,8 +90,8 @@ void describe_special(ResultVisitor& v, const SpecialPoint& special, int branch)
 
 using Measured = BranchAmplitudes::Measured;
 
-void describe_branch(ResultVisitor& v, const OrbitBranch& branch,
-                     const std::vector<MeasuredPlace>& places, const Measured* measured) {
+void describe_branch(ResultVisitor& v, const OrbitBranch& branch, const BranchRecord& record,
+                     const Measured* measured) {
   v.field(Field{"id", "", "from 1"}.as("branch").in("branches"), branch.id);
   v.field(Field{"component", "", "connected set of solutions"}.in("branches"), branch.component);
   v.field(Field{"period", "", "p"}.in("branches"), branch.pattern.period);
@@ -90,13 +105,17 @@ void describe_branch(ResultVisitor& v, const OrbitBranch& branch,
           named(branch.origin));
   v.values({"ends", "", "two"}, branch.ends, [](OrbitBranchEnd end) { return name_of(end); });
   // A record that asks for no amplitudes has no places.
+  const std::vector<MeasuredPlace>& places = record.amplitudes.places;
   const auto describe_size = [&](const std::vector<Amplitudes>* of, std::size_t i) {
     if (!places.empty()) describe_amplitudes(v, places, of ? entry(*of, i) : nullptr);
   };
+  const std::vector<Stop>& stops = record.system.stops;
+  const bool compliant =
+      std::any_of(stops.begin(), stops.end(), [](const Stop& stop) { return stop.is_compliant(); });
   v.list({"points", "", "along the branch"}, branch.points,
          [&](const OrbitBranchPoint& point, std::size_t i) {
            v.row("branches", [&] {
-             describe_point(v, point);
+             describe_point(v, point, compliant);
              describe_size(measured ? &measured->points : nullptr, i);
            });
          });
@@ -161,7 +180,7 @@ void describe(ResultVisitor& v, const BranchRecord& record) {
   const BranchAmplitudes& measured = record.amplitudes;
   v.list({"branches", "", "of orbits"}, record.traced.branches,
          [&](const OrbitBranch& branch, std::size_t i) {
-           describe_branch(v, branch, measured.places, entry(measured.branches, i));
+           describe_branch(v, branch, record, entry(measured.branches, i));
          });
   v.list({"loci", "", "with `--locus`"}, std::vector<OrbitBranch>(),
          [](const OrbitBranch&, std::size_t) {});
