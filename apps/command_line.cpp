@@ -3,14 +3,11 @@
 #include <CLI/CLI.hpp>
 
 #include "command.hpp"
-#include "compare_options.hpp"
 #include "first_scene.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/record/names/detail/map_names.hpp"
 #include "option_groups.hpp"
 #include "option_values.hpp"
-#include "picture_options.hpp"
-#include "simulate_options.hpp"
 
 namespace graze {
 namespace {

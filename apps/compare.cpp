@@ -13,10 +13,8 @@
 #include "graze/scene/detail/start_coordinate.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "journals.hpp"
-#include "plane_options.hpp"
-#include "search_options.hpp"
 #include "session.hpp"
-#include "settling_options.hpp"
+#include "work_options.hpp"
 
 namespace graze {
 namespace {

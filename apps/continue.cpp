@@ -16,8 +16,8 @@
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "graze/study/sweep/sweep.hpp"
 #include "restart.hpp"
-#include "search_options.hpp"
 #include "session.hpp"
+#include "work_options.hpp"
 
 namespace graze {
 

@@ -12,9 +12,8 @@
 #include "graze/scene/parameter.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "journals.hpp"
-#include "search_options.hpp"
 #include "session.hpp"
-#include "settling_options.hpp"
+#include "work_options.hpp"
 
 namespace graze {
 namespace {

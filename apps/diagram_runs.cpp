@@ -7,7 +7,7 @@
 #include "graze/report/text/text.hpp"
 #include "graze/scene/detail/start_coordinate.hpp"
 #include "journals.hpp"
-#include "series_options.hpp"
+#include "work_options.hpp"
 
 namespace graze {
 namespace {

@@ -18,10 +18,8 @@
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "journals.hpp"
 #include "loci_options.hpp"
-#include "plane_options.hpp"
-#include "search_options.hpp"
 #include "session.hpp"
-#include "settling_options.hpp"
+#include "work_options.hpp"
 
 namespace graze {
 namespace {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "command.hpp"
+#include "drawing.hpp"
 
 namespace graze {
 
@@ -85,5 +86,11 @@ void add_loci_over_map(CLI::App* app, MapCommand& command);
 void add_locus(CLI::App* app, ContinueCommand& command);
 // A special point of an earlier run instead of any search; needs those of search and loci.
 void add_restart(CLI::App* app, ContinueCommand& command);
+
+void add_picture(CLI::App* app, CommonOptions& command, const PictureFeatures& features);
+
+// Whole commands, in files of their own.
+void add_compare(CLI::App& graze, std::optional<Command>& parsed);
+void add_simulate(CLI::App& graze, std::optional<Command>& parsed);
 
 }  // namespace graze

@@ -8,8 +8,8 @@
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
-#include "search_options.hpp"
 #include "session.hpp"
+#include "work_options.hpp"
 
 namespace graze {
 int run(const OrbitCommand& command) {

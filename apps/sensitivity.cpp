@@ -10,7 +10,7 @@
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/parameter.hpp"
-#include "series_options.hpp"
+#include "work_options.hpp"
 
 namespace graze {
 namespace {

@@ -1,10 +1,8 @@
-#include "simulate_options.hpp"
+#include "option_groups.hpp"
 
 #include "graze/record/names/detail/sweep_names.hpp"
 #include "graze/record/run_picture.hpp"
-#include "option_groups.hpp"
 #include "option_values.hpp"
-#include "picture_options.hpp"
 
 namespace graze {
 namespace {

@@ -1,4 +1,4 @@
-#include "compare_options.hpp"
+#include "option_groups.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,7 @@
 
 #include "graze/base/errors.hpp"
 #include "graze/record/names/detail/comparison_names.hpp"
-#include "option_groups.hpp"
 #include "option_values.hpp"
-#include "picture_options.hpp"
 
 namespace graze {
 namespace {

@@ -1,4 +1,4 @@
-#include "picture_options.hpp"
+#include "option_groups.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,6 @@
 #include <cstdlib>
 
 #include "graze/base/errors.hpp"
-#include "option_groups.hpp"
 #include "option_values.hpp"
 
 namespace graze {
