@@ -79,8 +79,7 @@ inline void note_settling(const RowOptions& options, RunInfo& info) {
   info.options.emplace_back("max_impacts", options.max_impacts);
 }
 
-// Of single runs over a parameter.
-// `duration`: of a run, s. `points`: values over the range.
+// Of single runs over a parameter, `duration` s each, at so many values over its range.
 inline RunSeriesOptions series_options(const MotionOptions& command, const RangeOptions& range,
                                        double duration, int points) {
   RunSeriesOptions options;
@@ -94,8 +93,7 @@ inline RunSeriesOptions series_options(const MotionOptions& command, const Range
   return options;
 }
 
-// Of a plane of cells.
-// With so many cells across and up. Requires both ends of the second range.
+// Of a plane of so many cells across and up. Requires both ends of the second range.
 inline Plane plane_of(const RangeOptions& first, const SecondRangeOptions& second, int across,
                       int up) {
   return {{first.parameter, first.from, first.to, across},

@@ -43,7 +43,7 @@ void describe(ResultVisitor& v, const std::vector<Wheel>& wheels) {
   });
   v.columns({"names"}, wheels,
             [&](const Wheel& wheel, std::size_t) { v.field({"name"}, wheel.name); });
-  v.field(Field{"load", "N"}.unit_alone(), 0.0);
+  v.unit("load", "N");
 }
 
 const std::vector<Wheel> kWheels = {{"big",

@@ -176,7 +176,7 @@ void describe(ResultVisitor& v, const BranchRecord& record) {
   describe_head(v, record.info, record.outcome, record.warnings);
   v.field({"parameter", "", "its name; the unit of its values is `units.value`"},
           record.traced.parameter);
-  v.field(Field{"value", record.unit}.unit_alone(), 0.0);
+  v.unit("value", record.unit);
   const BranchAmplitudes& measured = record.amplitudes;
   v.list({"branches", "", "of orbits"}, record.traced.branches,
          [&](const OrbitBranch& branch, std::size_t i) {

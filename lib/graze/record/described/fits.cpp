@@ -36,19 +36,16 @@ void describe_series(ResultVisitor& v, const FitResult& result, const FittedSeri
   else
     v.field({"uncertainty"}, std::optional<double>());
   const Abscissa abscissa = abscissa_of(result.kind);
-  const auto number = [](const Vector& list, Eigen::Index i) {
-    return i < list.size() ? list[i] : NAN;
-  };
   v.list(Field{"values"}.tabular(), std::views::iota(Eigen::Index{0}, result.at.size()),
          [&](Eigen::Index i, std::size_t) {
            v.row("fit", [&] {
-             const double measured = number(series.measured, i);
-             const double predicted = number(series.predicted, i);
-             v.field({abscissa.name, abscissa.unit}, number(result.at, i));
+             const double measured = number_at(series.measured, i);
+             const double predicted = number_at(series.predicted, i);
+             v.field({abscissa.name, abscissa.unit}, number_at(result.at, i));
              v.field({"measured"}, measured);
              v.field({"predicted"}, predicted);
              v.field({"residual", "", "measured less predicted"}, measured - predicted);
-             v.field({"uncertainty"}, number(series.uncertainty, i));
+             v.field({"uncertainty"}, number_at(series.uncertainty, i));
            });
          });
 }

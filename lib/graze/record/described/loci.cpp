@@ -154,8 +154,8 @@ void describe(ResultVisitor& v, const LociRecord& record) {
   describe_head(v, record.info, record.outcome, record.warnings);
   v.field({"parameter", "", "the first"}, record.traced.first);
   v.field({"second", "", "the second"}, record.traced.second);
-  v.field(Field{"value", record.unit}.unit_alone(), 0.0);
-  v.field(Field{"second", record.second_unit}.unit_alone(), 0.0);
+  v.unit("value", record.unit);
+  v.unit("second", record.second_unit);
   v.list({"branches", "", "none"}, std::vector<OrbitLocus>(),
          [](const OrbitLocus&, std::size_t) {});
   describe_loci(v, record.traced);

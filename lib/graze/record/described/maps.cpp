@@ -13,10 +13,6 @@ namespace {
 
 constexpr Field::Use kTables = Field::Use::kTables;
 
-std::optional<int> only(bool exists, int value) {
-  return exists ? std::optional(value) : std::nullopt;
-}
-
 void describe_attractors(ResultVisitor& v, const AttractorMap& map) {
   v.list({"attractors", "", "those with the most cells first"}, map.attractors,
          [&](const MapAttractor& one, std::size_t i) {
@@ -27,9 +23,9 @@ void describe_attractors(ResultVisitor& v, const AttractorMap& map) {
            v.field({"attractor", "", "`(1,1)`, or `(1,1) b` of the second that does the same"},
                    i < map.attractors.size() ? attractor_name(map, i) : "");
            v.field({"period", "", "forcing periods; null where nothing repeats"},
-                   only(repeats, attractor.period));
+                   only_if(repeats, attractor.period));
            v.field({"impacts", "", "in a repetition; null where it sticks"},
-                   only(repeats && !sticks, attractor.impacts));
+                   only_if(repeats && !sticks, attractor.impacts));
            v.field({"sticks"}, sticks);
            v.field({"cells", "", "how many"}, one.cells);
            v.field({"first", "", "cell: its two numbers"},
@@ -44,10 +40,10 @@ void describe_cell(ResultVisitor& v, const MapRecord& record, const MapCell& cel
   v.field(Field{"x"}.tabular(), record.map.options.x_at(index));
   v.field(Field{"y"}.tabular(), record.map.options.y_at(index));
   v.field({"status"}, name_of(attractor.status));
-  v.field({"attractor", "", "its id"}, only(cell.place >= 0, cell.place + 1));
-  v.field(Field{"period"}.tabular(), only(repeats, attractor.period));
+  v.field({"attractor", "", "its id"}, only_if(cell.place >= 0, cell.place + 1));
+  v.field(Field{"period"}.tabular(), only_if(repeats, attractor.period));
   v.field(Field{"impacts", "", "in a repetition"}.tabular(),
-          only(repeats && attractor.kind != SettledKind::kSticks, attractor.impacts));
+          only_if(repeats && attractor.kind != SettledKind::kSticks, attractor.impacts));
   v.field({"impacts_per_period"}, cell_value(cell, MapQuantity::kImpacts));
   v.field({"peak_speed", "m/s", "of its impacts"}, cell_value(cell, MapQuantity::kSpeed));
   v.field({"stuck_part", "", "of the time"}, cell_value(cell, MapQuantity::kStuck));
@@ -83,10 +79,10 @@ void describe_measured(ResultVisitor& v, const MapRecord& record,
 void describe_difference(ResultVisitor& v, const MotionDifference& difference, bool exists) {
   for (const ComparedQuantity quantity : kComparedQuantities) {
     const std::string name = name_of(quantity), what = title_of(quantity);
-    const auto value = exists ? std::optional(compared_value(difference, quantity)) : std::nullopt;
+    const auto value = only_if(exists, compared_value(difference, quantity));
     if (quantity == ComparedQuantity::kAttractor) {
       v.field(Field{name, "", "whether both settle on the same"}.document(),
-              exists ? std::optional(difference.is_same_attractor) : std::nullopt);
+              only_if(exists, difference.is_same_attractor));
       v.field(Field{name, "", "1: the same"}.tabular(), value);
     } else {
       v.field({name, "", what}, value);

@@ -168,11 +168,9 @@ void describe(ResultVisitor& v, const SimulationRecord& record) {
     if (run.amplitudes->forces) describe_forces(v, *run.amplitudes->forces);
   }
   if (record.section) describe_points(v, *record.section);
-  v.field(Field{"gap", "m"}.unit_alone(), 0.0);
+  v.unit("gap", "m");
   for (std::size_t i = 0; i < record.probes.size(); ++i)
-    v.field(
-        Field{fmt::format("probe_{}", i + 1), probe_unit(record.probes[i].quantity)}.unit_alone(),
-        0.0);
+    v.unit(fmt::format("probe_{}", i + 1), probe_unit(record.probes[i].quantity));
 }
 
 }  // namespace graze

@@ -33,8 +33,7 @@ void describe_impacts(ResultVisitor& v, const std::vector<OrbitImpact>& impacts)
            v.row("orbits", [&] {
              v.field(Field{"impact", "", "its number"}.in("contacts").tabular(), i + 1);
              v.field(Field{"stop", "", "from 1"}.in("contacts"), impact.stop + 1);
-             v.field({"period_index", "", "0..p-1"}, impact.period_index);
-             v.field({"phase", "rad"}, impact.phase);
+             describe_instant(v, {impact.period_index, impact.phase});
              v.field({"speed", "m/s", "of approach"}, impact.speed);
              describe_contact(v, impact);
            });

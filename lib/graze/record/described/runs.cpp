@@ -13,9 +13,8 @@ namespace graze {
 namespace {
 
 void describe_run_impact(ResultVisitor& v, const RunImpact* impact) {
-  const auto only = [&](auto value) { return impact ? std::optional(value) : std::nullopt; };
   v.field({"time", "s"}, impact ? impact->time : NAN);
-  v.field({"stop", "", "from 1"}, only(impact ? impact->stop + 1 : 0));
+  v.field({"stop", "", "from 1"}, only_if(impact, impact ? impact->stop + 1 : 0));
   v.field({"speed", "m/s", "of approach"}, impact ? impact->speed : NAN);
 }
 
@@ -32,10 +31,6 @@ void describe_probes(ResultVisitor& v, const std::vector<Probe>& probes) {
   v.list({"probes"}, probes, [&](const Probe& probe, std::size_t) { describe_probe(v, probe); });
 }
 
-double number(const std::vector<double>& list, std::size_t i) {
-  return i < list.size() ? list[i] : NAN;
-}
-
 // One line an impact, one for a value that has none; and one line a value.
 void describe_lines(ResultVisitor& v, const RunDiagramRecord& record, const ValueRun& run) {
   const std::size_t lines = std::max<std::size_t>(run.impacts.size(), 1);
@@ -43,7 +38,7 @@ void describe_lines(ResultVisitor& v, const RunDiagramRecord& record, const Valu
     v.row("sweep", [&] {
       const RunImpact* impact = entry(run.impacts, k);
       v.field({"value", "", "of the parameter"}, run.value);
-      v.field({"impact", "", "its number"}, impact ? std::optional(k + 1) : std::nullopt);
+      v.field({"impact", "", "its number"}, only_if(impact, k + 1));
       describe_run_impact(v, impact);
     });
   v.row("runs", [&] {
@@ -51,8 +46,8 @@ void describe_lines(ResultVisitor& v, const RunDiagramRecord& record, const Valu
     v.field({"reached_end"}, run.outcome == RunOutcome::kReachedEnd);
     v.field({"impacts", "", "how many"}, run.impacts.size());
     for (std::size_t i = 0; i < record.probes.size(); ++i) {
-      v.field({fmt::format("peak_{}", i + 1), "", "of a probe"}, number(run.peaks, i));
-      v.field({fmt::format("end_{}", i + 1), "", "of a probe"}, number(run.ends, i));
+      v.field({fmt::format("peak_{}", i + 1), "", "of a probe"}, number_at(run.peaks, i));
+      v.field({fmt::format("end_{}", i + 1), "", "of a probe"}, number_at(run.ends, i));
     }
   });
 }
@@ -77,10 +72,10 @@ void describe_curve(ResultVisitor& v, const SensitivityRecord& record,
         v.field({"impacts", "", "how many"}, run.impacts.size());
         for (std::size_t i = 0; i < record.probes.size(); ++i) {
           const auto at = static_cast<Eigen::Index>(i);
-          v.field({fmt::format("peak_{}", i + 1), "", "of a probe"}, number(run.peaks, i));
-          v.field({fmt::format("s1_{}", i + 1)}, at < s1.size() ? s1[at] : NAN);
-          v.field({fmt::format("end_{}", i + 1), "", "of a probe"}, number(run.ends, i));
-          v.field({fmt::format("s2_{}", i + 1)}, at < s2.size() ? s2[at] : NAN);
+          v.field({fmt::format("peak_{}", i + 1), "", "of a probe"}, number_at(run.peaks, i));
+          v.field({fmt::format("s1_{}", i + 1)}, number_at(s1, at));
+          v.field({fmt::format("end_{}", i + 1), "", "of a probe"}, number_at(run.ends, i));
+          v.field({fmt::format("s2_{}", i + 1)}, number_at(s2, at));
         }
       });
     });

@@ -101,9 +101,9 @@ void describe_amplitudes(ResultVisitor& v, const std::vector<MeasuredPlace>& pla
              v.prefix(fmt::format("stop_{}_", i + 1),
                       [&] { describe_load(v, i, load, all.duration); });
            });
-  if (!places.empty()) v.field(Field{"force", "N"}.unit_alone(), 0.0);
+  if (!places.empty()) v.unit("force", "N");
   for (const MeasuredPlace& place : places)
-    if (place.probe) v.field(Field{place.name('_'), place.unit}.unit_alone(), 0.0);
+    if (place.probe) v.unit(place.name('_'), place.unit);
 }
 
 void describe_probe(ResultVisitor& v, const Probe& probe) {

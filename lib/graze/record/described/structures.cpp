@@ -20,18 +20,16 @@ std::views::all_t<std::ranges::iota_view<Eigen::Index, Eigen::Index>> up_to(Eige
   return std::views::iota(Eigen::Index{0}, count);
 }
 
-double number(const Vector& list, Eigen::Index i) { return i < list.size() ? list[i] : NAN; }
-
 void describe_modes(ResultVisitor& v, const System& system) {
   const Vector decay = decay_rates(system);
   v.list({"modes"}, up_to(system.omega.size()), [&](Eigen::Index j, std::size_t) {
     v.field({"mode", "", "from 1"}, j + 1);
-    v.field({"frequency", "rad/s", "w_j"}, number(system.omega, j));
-    v.field({"decay_rate", "1/s", "delta_j"}, number(decay, j));
+    v.field({"frequency", "rad/s", "w_j"}, number_at(system.omega, j));
+    v.field({"decay_rate", "1/s", "delta_j"}, number_at(decay, j));
     v.field({"force", "kg^1/2 m/s^2", "f_j, null without forcing"},
-            system.forcing() ? number(system.forcing()->amplitude, j) : NAN);
+            system.forcing() ? number_at(system.forcing()->amplitude, j) : NAN);
     v.field({"load", "kg^1/2 m/s^2", "c_j, null without gravity"},
-            system.load() ? number(*system.load(), j) : NAN);
+            system.load() ? number_at(*system.load(), j) : NAN);
   });
 }
 
@@ -173,10 +171,10 @@ void describe(ResultVisitor& v, const ModesRecord& record) {
   v.field({"rigid", "", "how many modes have the frequency 0"}, table.rigid);
   v.list({"modes"}, up_to(table.omega.size()), [&](Eigen::Index j, std::size_t) {
     v.field({"mode", "", "from 1"}, j + 1);
-    v.field({"frequency", "rad/s"}, number(table.omega, j));
-    v.field({"decay_rate", "1/s"}, number(table.decay, j));
+    v.field({"frequency", "rad/s"}, number_at(table.omega, j));
+    v.field({"decay_rate", "1/s"}, number_at(table.decay, j));
     v.field({"residual", "1", "relative, of modes of matrices, else null"},
-            number(table.residuals, j));
+            number_at(table.residuals, j));
   });
   v.list({"directions"}, table.directions, [&](const DirectionShare& share, std::size_t) {
     v.field({"direction", "", "1, 2, 3; 0: along u, or of all degrees of freedom"},

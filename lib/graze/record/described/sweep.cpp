@@ -25,9 +25,9 @@ void describe_attractor(ResultVisitor& v, const SweepRow& row) {
   v.field(Field{"attractor", "", "`impacts`, `sticking`, `clear`, .."}.in("sweep").tabular(),
           attractor_kind(attractor));
   v.field(Field{"period", "", "forcing periods; null where nothing repeats"}.in("sweep"),
-          repeats ? std::optional(attractor.period) : std::nullopt);
+          only_if(repeats, attractor.period));
   v.field(Field{"impacts", "", "in a repetition; null where it sticks"}.in("sweep"),
-          repeats && !sticks ? std::optional(attractor.impacts) : std::nullopt);
+          only_if(repeats && !sticks, attractor.impacts));
   v.field({"sticks"}, row.motion.sticks);
   v.field(Field{"periods", "", "forcing periods run"}.in("sweep"), row.motion.periods);
   v.field(Field{"remaining", "1", "distance to the repetition, relative"}.in("sweep"),
@@ -46,11 +46,11 @@ void describe_exponents(ResultVisitor& v, const SweepRow& row, Eigen::Index coun
       v.field({"exponent_message"}, known.failure);
   }
   const auto whole = [&](const char* name, const char* what, long long value) {
-    v.field({name, "", what}, row.exponents ? std::optional(value) : std::nullopt);
+    v.field({name, "", what}, only_if(row.exponents.has_value(), value));
   };
   const auto numbers = [&](const char* name, const Vector& list) {
     for (Eigen::Index j = 0; j < count; ++j)
-      v.field(Field{fmt::format("{}_{}", name, j + 1), "1/s"}, j < list.size() ? list[j] : NAN);
+      v.field(Field{fmt::format("{}_{}", name, j + 1), "1/s"}, number_at(list, j));
   };
   v.only(kTables, [&] {
     v.row("exponents", [&] {
@@ -90,9 +90,8 @@ std::vector<RowSample> samples_of(const SweepRow& row, DiagramSection section) {
 
 void describe_sample(ResultVisitor& v, const RowSample* sample, std::size_t i) {
   const RowSample& known = sample ? *sample : RowSample{};
-  const auto only = [&](auto value) { return sample ? std::optional(value) : std::nullopt; };
-  v.field({"sample", "", "its number, from 1"}, only(i + 1));
-  v.field({"stop", "", "from 1"}, only(known.stop + 1));
+  v.field({"sample", "", "its number, from 1"}, only_if(sample, i + 1));
+  v.field({"stop", "", "from 1"}, only_if(sample, known.stop + 1));
   v.field({"period_index", "", "forcing period among those shown, from 0"}, known.period_index);
   v.field({"phase", "rad", "of an impact"}, known.phase);
   v.field({"speed", "m/s", "of its approach"}, known.speed);

@@ -4,29 +4,13 @@
 #include <utility>
 
 #include "graze/record/described/detail/descriptions.hpp"
-#include "graze/record/detail/comparison_record.hpp"
-#include "graze/record/detail/cost_record.hpp"
-#include "graze/record/detail/diagram_record.hpp"
-#include "graze/record/detail/fit_record.hpp"
-#include "graze/record/detail/loci_record.hpp"
-#include "graze/record/detail/map_record.hpp"
-#include "graze/record/detail/modes_record.hpp"
-#include "graze/record/detail/run_diagram_record.hpp"
-#include "graze/record/detail/sensitivity_record.hpp"
 #include "graze/record/detail/share_record.hpp"
+#include "graze/record/stored/detail/record_file.hpp"
 #include "graze/report/json/detail/document_writer.hpp"
 #include "graze/report/json/detail/json_document.hpp"
 
 namespace graze {
 namespace {
-
-template <class Record>
-const RunInfo& info_of(const Record& record) {
-  if constexpr (requires { record.info; })
-    return record.info;
-  else
-    return record.branches.info;
-}
 
 template <class Record>
 std::string described_document(const Record& record) {

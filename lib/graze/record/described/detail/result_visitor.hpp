@@ -34,7 +34,6 @@ struct Field {
   constexpr Field in(std::string_view names) const { return with(&Field::tables, names); }
   constexpr Field document() const { return with(&Field::use, Use::kDocument); }
   constexpr Field tabular() const { return with(&Field::use, Use::kTables); }
-  constexpr Field unit_alone() const { return with(&Field::use, Use::kUnit); }
 
  private:
   template <class Part>
@@ -95,6 +94,12 @@ class ResultVisitor {
   template <class T>
   void field(const Field& field, const T& value) {
     take(field, field_value(value));
+  }
+  // That of numbers which are called so elsewhere, in tables or on axes.
+  void unit(std::string_view name, std::string_view unit) {
+    Field field{name, unit};
+    field.use = Field::Use::kUnit;
+    take(field, Missing::kNumber);
   }
   // With fields of its own, which `body` hands over.
   template <class Body>

@@ -1,6 +1,10 @@
 // Private to this room. What several results have in common.
 #pragma once
 
+#include <cmath>
+#include <optional>
+#include <utility>
+
 #include "graze/motion/amplitudes.hpp"
 #include "graze/record/described/detail/result_visitor.hpp"
 #include "graze/record/records.hpp"
@@ -16,6 +20,17 @@ auto entry(const List& list, std::size_t i) -> decltype(&list[i]) {
   return i < list.size() ? &list[i] : nullptr;
 }
 
+// The same of numbers; not finite beyond its end.
+template <class List, class Index>
+double number_at(const List& list, Index i) {
+  return i < static_cast<Index>(list.size()) ? list[i] : NAN;
+}
+// What exists under a condition.
+template <class T>
+std::optional<T> only_if(bool exists, T value) {
+  return exists ? std::optional(std::move(value)) : std::nullopt;
+}
+
 // How it was made and how it ended.
 void describe_head(ResultVisitor& v, const RunInfo& info, const Outcome& outcome,
                    const std::vector<std::string>& warnings);
@@ -24,7 +39,7 @@ void describe_notes(ResultVisitor& v, const std::vector<std::string>& notes,
                     const std::vector<std::string>& details = {});
 
 // What is told of impacts, multipliers and stuck phases wherever orbits are listed. The impacts are
-// rows of the table "orbits", with `number`, that of the orbit, its contacts rows of "contacts".
+// rows of the table "orbits", their contacts rows of "contacts".
 void describe_impacts(ResultVisitor& v, const std::vector<OrbitImpact>& impacts);
 void describe_multipliers(ResultVisitor& v, const Orbit& orbit);
 void describe_sticking(ResultVisitor& v, const Orbit& orbit);

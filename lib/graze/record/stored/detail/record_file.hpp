@@ -70,9 +70,10 @@ struct StoredResult {
   void read_document(const TextSink& sink) const;
 };
 
-// Reads a folder that --out wrote, given as that or as the result.json or record.json in it. Throws FileError with
-// a sentence that names the file and what to do: where one is missing, was cut short or changed, or
-// was written by another version of the program; where the folder holds a share of a work only.
+// Reads a folder that --out wrote, given as that or as the result.json or record.json in it. Throws
+// FileError with a sentence that names the file and what to do: where one is missing, was cut short
+// or changed, or was written by another version of the program; where the folder holds a share of a
+// work only.
 StoredResult read_result(const std::filesystem::path& place);
 
 }  // namespace graze
