@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "graze/assembly/beam_shape.hpp"
-#include "graze/assembly/system_family.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/record/detail/comparison_record.hpp"
 #include "graze/record/detail/cost_record.hpp"
@@ -14,124 +13,49 @@
 #include "graze/record/detail/modes_record.hpp"
 #include "graze/record/detail/run_diagram_record.hpp"
 #include "graze/record/detail/sensitivity_record.hpp"
-#include "graze/report/chart/charts.hpp"
-#include "graze/report/page/detail/page.hpp"
-#include "graze/report/page/detail/page_chart.hpp"
-#include "graze/report/picture/pictures.hpp"
 
 namespace graze {
 namespace {
 
 constexpr int kShapePlaces = 201, kMovingPlaces = 41;  // along a beam
 
-template <class Record>
-void draw_charts_of(const PictureRequest& plot, const Record& record) {
-  if (is_page_name(plot.file))
-    write_page(plot.file, record);
-  else
-    draw_chart(plot, record.info, chart_of(record));
-}
-
-// One of several charts of a record.
-template <class Record>
-void draw_one_chart(const PictureRequest& plot, const Record& record, const Chart& chart) {
-  if (is_page_name(plot.file))
-    write_page(plot.file, chart, record.info, record.outcome, record.warnings);
-  else
-    draw_chart(plot, record.info, chart);
-}
-
 }  // namespace
 
-void draw(const CommonOptions& command, const CheckRecord& record, const Scene&) {
-  draw_one_chart(command.plot, record, mode_shapes_chart(record.scene, record.system.omega));
+Chart chart_shown(const CheckRecord& record, const Scene&, bool) {
+  return mode_shapes_chart(record.scene, record.system.omega);
 }
 
-void draw(const CommonOptions& command, const ModesRecord& record, const Scene& scene) {
-  draw_one_chart(command.plot, record, mode_shapes_chart(scene, record.table.omega));
+Chart chart_shown(const ModesRecord& record, const Scene& scene, bool) {
+  return mode_shapes_chart(scene, record.table.omega);
 }
 
-void draw(const CommonOptions& command, const SimulationRecord& record, const Scene&) {
-  const PictureRequest& plot = command.plot;
-  if (record.shown == RunPicture::kReturns)
-    draw_one_chart(plot, record, returns_chart(record));
-  else if (record.shown == RunPicture::kSpectrum)
-    draw_one_chart(plot, record, spectrum_chart(record));
-  else if (record.shown == RunPicture::kShapes)
-    draw_one_chart(plot, record, shapes_chart(record));
-  else if (record.shown == RunPicture::kForces)
-    draw_one_chart(plot, record, forces_chart(record));
-  else if (record.section)
-    draw_section(plot, record);
-  else if (is_page_name(plot.file))
-    write_page(plot.file, record);
+Chart chart_shown(const SimulationRecord& record, const Scene&, bool) {
+  switch (record.shown) {
+    case RunPicture::kReturns:
+      return returns_chart(record);
+    case RunPicture::kSpectrum:
+      return spectrum_chart(record);
+    case RunPicture::kShapes:
+      return shapes_chart(record);
+    case RunPicture::kForces:
+      return forces_chart(record);
+    case RunPicture::kMotion:
+      break;
+  }
+  return record.section ? section_chart(record) : motion_chart(record);
+}
+
+void draw_page(const std::string& file, const SimulationRecord& record, const Scene& scene) {
+  if (record.shown == RunPicture::kMotion && !record.section)
+    write_page(file, record);
   else
-    draw_simulation(plot, record);
+    write_page(file, chart_shown(record, scene), record.info, record.outcome, record.warnings);
 }
 
 void place_beam(const CommonOptions& command, const Scene& scene, SimulationRecord& record) {
   const bool bent = record.shown == RunPicture::kShapes;
   if (bent || is_page_name(command.plot.file))
     record.beam = beam_places(scene, bent ? kShapePlaces : kMovingPlaces);
-}
-
-void draw(const CommonOptions& command, const OrbitRecord& record, const Scene&) {
-  draw_charts_of(command.plot, record);
-}
-
-void draw(const CommonOptions& command, const BranchRecord& record, const Scene& scene) {
-  if (is_page_name(command.plot.file))
-    write_page(command.plot.file, record, SystemFamily(scene, record.traced.parameter));
-  else
-    draw_branches(command.plot, record);
-}
-
-void draw(const CommonOptions& command, const LociRecord& record, const Scene& scene) {
-  if (is_page_name(command.plot.file))
-    write_page(command.plot.file, record, scene);
-  else
-    draw_loci(command.plot, record);
-}
-
-void draw(const CommonOptions& command, const DiagramRecord& record, const Scene& scene) {
-  if (is_page_name(command.plot.file))
-    write_page(command.plot.file, record, SystemFamily(scene, record.swept.parameter));
-  else
-    draw_diagram(command.plot, record);
-}
-
-void draw(const CommonOptions& command, const RunDiagramRecord& record, const Scene&) {
-  draw_charts_of(command.plot, record);
-}
-
-void draw(const CommonOptions& command, const MapRecord& record, const Scene& scene) {
-  if (is_page_name(command.plot.file))
-    write_page(command.plot.file, record, scene);
-  else
-    draw_map(command.plot, record);
-}
-
-void draw(const CommonOptions& command, const ComparisonRecord& record, const Scene&) {
-  draw_charts_of(command.plot, record);
-}
-
-void draw(const CommonOptions& command, const ComparisonMapRecord& record, const Scene& scene) {
-  if (is_page_name(command.plot.file))
-    write_page(command.plot.file, record, scene);
-  else
-    draw_comparison(command.plot, record);
-}
-
-void draw(const CommonOptions& command, const SensitivityRecord& record, const Scene&) {
-  draw_charts_of(command.plot, record);
-}
-
-void draw(const CommonOptions& command, const CostRecord& record, const Scene&) {
-  draw_charts_of(command.plot, record);
-}
-
-void draw(const CommonOptions& command, const FitRecord& record, const Scene&) {
-  draw_charts_of(command.plot, record);
 }
 
 std::string nothing_to_draw(const ComparisonRecord& record) {
@@ -172,12 +96,6 @@ void check_plot(const CommonOptions& command, const PictureFeatures& features) {
         plot.file +
         ": --title, --style, --size, --font, --labels, ranges, scales and --multipliers are of "
         "pictures; a page has tools for what it shows");
-}
-
-void check_plot_of_run(const CommonOptions& command, bool has_section, RunPicture shown) {
-  if (has_section && shown != RunPicture::kReturns && !command.plot.empty())
-    check_picture_name(command.plot.file, ".svg, .png or .pdf with --section");
-  check_plot<SimulationRecord>(command);
 }
 
 }  // namespace graze

@@ -7,25 +7,47 @@
 #include "command.hpp"
 #include "graze/record/record_names.hpp"
 #include "graze/record/run_picture.hpp"
+#include "graze/record/stored/detail/record_file.hpp"
+#include "graze/report/chart/charts.hpp"
+#include "graze/report/page/detail/page.hpp"
+#include "graze/report/page/detail/page_tables.hpp"
+#include "graze/report/picture/pictures.hpp"
 #include "graze/scene/scene.hpp"
 
 namespace graze {
 
-// Draws the picture or page that --plot names. `scene`: the one in force. Throws FileError.
-void draw(const CommonOptions& command, const CheckRecord& record, const Scene& scene);
-void draw(const CommonOptions& command, const ModesRecord& record, const Scene& scene);
-void draw(const CommonOptions& command, const SimulationRecord& record, const Scene& scene);
-void draw(const CommonOptions& command, const OrbitRecord& record, const Scene& scene);
-void draw(const CommonOptions& command, const BranchRecord& record, const Scene& scene);
-void draw(const CommonOptions& command, const LociRecord& record, const Scene& scene);
-void draw(const CommonOptions& command, const DiagramRecord& record, const Scene& scene);
-void draw(const CommonOptions& command, const RunDiagramRecord& record, const Scene& scene);
-void draw(const CommonOptions& command, const MapRecord& record, const Scene& scene);
-void draw(const CommonOptions& command, const ComparisonRecord& record, const Scene& scene);
-void draw(const CommonOptions& command, const ComparisonMapRecord& record, const Scene& scene);
-void draw(const CommonOptions& command, const SensitivityRecord& record, const Scene& scene);
-void draw(const CommonOptions& command, const CostRecord& record, const Scene& scene);
-void draw(const CommonOptions& command, const FitRecord& record, const Scene& scene);
+// What is drawn of a record, as its command asked. `scene`: the one in force.
+template <class Record>
+Chart chart_shown(const Record& record, const Scene&, bool multipliers = false) {
+  if constexpr (requires { chart_of(record, multipliers); })
+    return chart_of(record, multipliers);
+  else
+    return chart_of(record);
+}
+Chart chart_shown(const CheckRecord& record, const Scene& scene, bool multipliers = false);
+Chart chart_shown(const ModesRecord& record, const Scene& scene, bool multipliers = false);
+Chart chart_shown(const SimulationRecord& record, const Scene& scene, bool multipliers = false);
+
+// A page of its own where that is more than the chart.
+template <class Record>
+void draw_page(const std::string& file, const Record& record, const Scene& scene) {
+  if constexpr (requires { write_page(file, record, scene); })
+    write_page(file, record, scene);
+  else
+    write_page(file, chart_shown(record, scene), record.info, record.outcome, record.warnings,
+               page_tables(record));
+}
+void draw_page(const std::string& file, const SimulationRecord& record, const Scene& scene);
+
+// Draws the picture or page that --plot names. Throws FileError.
+template <class Record>
+void draw(const CommonOptions& command, const Record& record, const Scene& scene) {
+  const PictureRequest& plot = command.plot;
+  if (is_page_name(plot.file))
+    draw_page(plot.file, record, scene);
+  else
+    draw_chart(plot, info_of(record), chart_shown(record, scene, plot.multipliers));
+}
 
 // Why nothing is drawn of that record; empty where something is.
 template <class Record>
@@ -69,9 +91,6 @@ template <class Record>
 void check_plot(const CommonOptions& command) {
   check_plot(command, kFeatures<Record>);
 }
-// The same for a run, of whose Poincare section there is a picture alone.
-void check_plot_of_run(const CommonOptions& command, bool has_section, RunPicture shown);
-
 // Fills in where the beam's shape is shown, as far as a picture or page of the run shows it.
 void place_beam(const CommonOptions& command, const Scene& scene, SimulationRecord& record);
 

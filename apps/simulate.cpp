@@ -279,7 +279,7 @@ void leave_state(const SimulateCommand& command, long long stride, RunState& sta
 }  // namespace
 
 int run(const SimulateCommand& command) {
-  check_plot_of_run(command, command.section.has_value(), command.show);
+  check_plot<SimulationRecord>(command);
   const Scene scene = scene_of(command);
   check_shown(command, scene);
   SimulationRecord record;

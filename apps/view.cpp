@@ -22,7 +22,7 @@ void check_drawable(const ViewCommand& command, const Record& record) {
   check_plot<Record>(command);
 }
 void check_drawable(const ViewCommand& command, const SimulationRecord& record) {
-  check_plot_of_run(command, record.section.has_value(), record.shown);
+  check_plot<SimulationRecord>(command);
   const bool of_motion = record.shown == RunPicture::kSpectrum ||
                          (record.shown == RunPicture::kForces &&
                           record.system.has_compliant_stop() && !shows_force_means(record)) ||

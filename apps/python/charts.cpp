@@ -3,11 +3,9 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <array>
 #include <cmath>
 
-#include "branches_chart.hpp"
-#include "drawing.hpp"
-#include "graze/report/chart/charts.hpp"
 #include "graze/report/json/detail/json_page.hpp"
 
 namespace graze {
@@ -72,6 +70,20 @@ py::dict axis_dict(const ChartAxis& axis, double largest) {
                   "from_zero"_a = axis.from_zero);
 }
 
+py::dict cells_dict(const ChartCells& cells) {
+  using namespace py::literals;
+  py::list grounds;
+  for (const ChartCells::Ground& ground : cells.grounds)
+    grounds.append(py::make_tuple(plain_text(ground.title), ground.colour));
+  const AxisRange& bar = cells.bar.range;
+  return py::dict("columns"_a = cells.columns, "rows"_a = cells.rows, "x"_a = cells.x,
+                  "y"_a = cells.y, "grounds"_a = grounds,
+                  "ground"_a = py::array_t<int>(static_cast<py::ssize_t>(cells.ground.size()),
+                                                cells.ground.data()),
+                  "numbers"_a = numbers(cells.numbers), "colours"_a = cells.colours,
+                  "bar"_a = axis_dict(cells.bar, std::fmax(std::abs(bar.low), std::abs(bar.high))));
+}
+
 py::dict panel_dict(const ChartPanel& panel) {
   using namespace py::literals;
   py::list series, fills;
@@ -83,11 +95,18 @@ py::dict panel_dict(const ChartPanel& panel) {
   for (const ChartFill& fill : panel.fills)
     fills.append(py::dict("is_upright"_a = fill.is_upright, "from"_a = fill.from, "to"_a = fill.to,
                           "title"_a = plain_text(fill.title), "colour"_a = fill.colour));
+  py::list names;
+  constexpr std::array kOf = {"point", "curve", "area"};
+  for (const ChartName& name : panel.names)
+    names.append(py::dict("of"_a = kOf[static_cast<std::size_t>(name.of)],
+                          "text"_a = plain_text(name.text), "places"_a = name.places));
+  const py::object cells =
+      panel.cells ? py::object(cells_dict(*panel.cells)) : py::object(py::none());
   return py::dict("x"_a = axis_dict(panel.x, largest_of(panel, false)),
                   "y"_a = axis_dict(panel.y, largest_of(panel, true)), "series"_a = series,
                   "fills"_a = fills, "levels"_a = panel.levels,
                   "heading"_a = plain_text(panel.heading), "height"_a = panel.height,
-                  "remark"_a = plain_text(panel.remark));
+                  "remark"_a = plain_text(panel.remark), "names"_a = names, "cells"_a = cells);
 }
 
 }  // namespace
@@ -100,7 +119,9 @@ py::dict chart_dict(const Chart& chart) {
     for (const ChartPanel& panel : row) panels.append(panel_dict(panel));
     rows.append(panels);
   }
-  return py::dict("title"_a = plain_text(chart.title), "rows"_a = rows);
+  py::list legend;
+  for (const std::string& title : chart.legend) legend.append(plain_text(title));
+  return py::dict("title"_a = plain_text(chart.title), "rows"_a = rows, "legend"_a = legend);
 }
 
 py::dict look_dicts() {
@@ -127,48 +148,5 @@ std::pair<double, std::string> axis_unit_pair(const std::string& si_unit, double
   const AxisUnit unit = axis_unit(si_unit, largest);
   return {unit.factor, plain_text(unit.unit)};
 }
-
-std::string plain_parameter_title(const std::string& path) {
-  return plain_text(parameter_title(path));
-}
-
-std::optional<Chart> chart_shown(const CheckRecord& record, const Scene&) {
-  return mode_shapes_chart(record.scene, record.system.omega);
-}
-std::optional<Chart> chart_shown(const ModesRecord& record, const Scene& scene) {
-  return mode_shapes_chart(scene, record.table.omega);
-}
-std::optional<Chart> chart_shown(const SimulationRecord& record, const Scene&) {
-  if (record.shown == RunPicture::kReturns) return returns_chart(record);
-  if (record.shown == RunPicture::kForces) return forces_chart(record);
-  return {};
-}
-std::optional<Chart> chart_shown(const OrbitRecord& record, const Scene&) {
-  return chart_of(record);
-}
-std::optional<Chart> chart_shown(const ComparisonRecord& record, const Scene&) {
-  return nothing_to_draw(record).empty() ? std::optional(chart_of(record)) : std::nullopt;
-}
-std::optional<Chart> chart_shown(const SensitivityRecord& record, const Scene&) {
-  return nothing_to_draw(record).empty() ? std::optional(chart_of(record)) : std::nullopt;
-}
-std::optional<Chart> chart_shown(const RunDiagramRecord& record, const Scene&) {
-  return chart_of(record);
-}
-std::optional<Chart> chart_shown(const CostRecord& record, const Scene&) {
-  return chart_of(record);
-}
-std::optional<Chart> chart_shown(const FitRecord& record, const Scene&) {
-  return nothing_to_draw(record).empty() ? std::optional(chart_of(record)) : std::nullopt;
-}
-std::optional<Chart> chart_shown(const BranchRecord& record, const Scene&) {
-  return branches_chart(record, nullptr);
-}
-std::optional<Chart> chart_shown(const DiagramRecord& record, const Scene&) {
-  return branches_chart(record.branches, &record);
-}
-std::optional<Chart> chart_shown(const LociRecord&, const Scene&) { return {}; }
-std::optional<Chart> chart_shown(const MapRecord&, const Scene&) { return {}; }
-std::optional<Chart> chart_shown(const ComparisonMapRecord&, const Scene&) { return {}; }
 
 }  // namespace graze

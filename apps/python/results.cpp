@@ -110,7 +110,7 @@ void check_drawable(const CommonOptions& command, const MapRecord& record) {
   if (is_page_name(command.plot.file)) check_map_page(command.plot.file, record.map.options);
 }
 void check_drawable(const CommonOptions& command, const SimulationRecord& record) {
-  check_plot_of_run(command, record.section.has_value(), record.shown);
+  check_plot<SimulationRecord>(command);
   if (record.samples.empty() && !record.section)
     throw py::value_error(
         "the run kept none of the motion that a picture shows; give it a folder, out=, or plot()");
@@ -138,20 +138,12 @@ void save(const FoundResult& result, const std::string& file, const std::string&
   });
 }
 
+// None where there is nothing to draw.
 std::optional<py::dict> chart(const FoundResult& result, const std::string& show,
                               const std::string& at) {
-  const std::optional<Chart> made = showing(
-      result, show, at, [&](const auto& record) { return chart_shown(record, result.scene()); });
-  return made ? std::optional(chart_dict(*made)) : std::nullopt;
-}
-
-std::optional<py::dict> plane(const FoundResult& result, const std::string& show,
-                              const std::string& at) {
-  return showing(result, show, at, [](const auto& record) -> std::optional<py::dict> {
-    if constexpr (requires { plane_dict(record); })
-      return plane_dict(record);
-    else
-      return {};
+  return showing(result, show, at, [&](const auto& record) -> std::optional<py::dict> {
+    if (!nothing_to_draw(record).empty()) return {};
+    return chart_dict(chart_shown(record, result.scene()));
   });
 }
 
@@ -207,7 +199,6 @@ void bind_results(py::module_& module) {
       .def("table_names", [](Self self) { return table_names(complete(self)); })
       .def("table", table)
       .def("chart", chart)
-      .def("plane", plane)
       .def("unit",
            [](Self self, const std::string& unit) {
              return unit_in(complete(self).scene().units, unit);
@@ -215,7 +206,6 @@ void bind_results(py::module_& module) {
       .def("save", save);
   module.def("looks", look_dicts);
   module.def("axis_unit", axis_unit_pair);
-  module.def("parameter_title", plain_parameter_title);
 }
 
 }  // namespace graze

@@ -108,8 +108,8 @@ TEST(AxisDirections, OfAStopBelowAndAProbeAreOpposite) {
         low = std::min(low, value), high = std::max(high, value);
     return std::pair{low, high};
   };
-  const auto [low, high] = extremes("displacement1");
-  const auto [probe_low, probe_high] = extremes("probe1");
+  const auto [low, high] = extremes("displacement");
+  const auto [probe_low, probe_high] = extremes("panel3_probe1");
   // The stop is 1.05 mm below: that far the motion goes towards it, and the probe to minus that.
   EXPECT_NEAR(high, 1.05, 1e-6);
   EXPECT_NEAR(probe_low, -1.05, 0.02);

@@ -160,12 +160,21 @@ TEST(Page, NamesAreCheckedBeforeTheWork) {
   EXPECT_NE(gif.err.find("x.gif: the name of a picture ends in .svg, .png, .pdf or .html"),
             std::string::npos)
       << gif.err;
-  const Finished section = run_graze("simulate --section impact --plot x.html " + kOneMode);
-  EXPECT_EQ(section.code, 2);
-  EXPECT_NE(section.err.find("x.html: this is not drawn as a page; the name ends in .svg, .png or "
-                             ".pdf with --section"),
-            std::string::npos)
-      << section.err;
+}
+
+// Sections are charts as other pictures are, and so have pages.
+TEST(Page, OfASectionHoldsItsPoints) {
+  if (!built_with_page()) GTEST_SKIP() << "built without npm";
+  const ScratchFolder scratch;
+  const std::string file = (scratch / "x.html").string();
+  const Finished run = run_graze("simulate --section impact --periods 50 --quiet --plot " + file +
+                                 " " + kOneMode);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json view = data_of(read_text(file), "view");
+  EXPECT_EQ(view["title"], "Poincaré section");
+  const json& series = view["rows"][0][0]["series"];
+  ASSERT_EQ(series.size(), 1u);
+  EXPECT_EQ(series[0]["dots"], true);
 }
 
 const std::string kBasins =

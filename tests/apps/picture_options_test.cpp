@@ -158,14 +158,14 @@ TEST_F(PictureOptions, SizesAndFontsAreThoseAskedFor) {
         << wrong;
 }
 
-// Letters of a label are measured to be .167 cm wide at most, in a panel of 9.36 cm.
+// Letters of a label are measured to be .167 cm wide at most, in a panel of 8.96 cm.
 TEST_F(PictureOptions, LabelsCoverNoMarkAndNoOtherLabel) {
   const std::string text = script("continue " + kDrawnBranch + "--follow all --max-step 0.5");
   struct Box {
     double left, right, low, high;
     std::string name;
   };
-  const double width = 9.36;
+  const double width = 8.96;
   double low = 0.0, high = 0.0, from = 15.0, to = 120.0;
   std::smatch found;
   ASSERT_TRUE(std::regex_search(text, found, std::regex(R"(set yrange \[([^:]+):([^\]]+)\])")));

@@ -66,7 +66,6 @@ TEST(SectionCommand, SaysWhatItNeeds) {
   EXPECT_EQ(run_graze(kOrbit + " --section stroboscopic --record samples").code, 2);
   EXPECT_EQ(run_graze(kOrbit + " --transient 3").code, 2);
   EXPECT_EQ(run_graze(kOrbit + " --section impact --transient 400").code, 2);
-  EXPECT_EQ(run_graze(kOrbit + " --section impact --plot s.html").code, 2);
   EXPECT_EQ(run_graze(kOrbit + " --section plane").code, 2);
 }
 

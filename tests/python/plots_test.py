@@ -75,7 +75,7 @@ def test_what_is_shown_is_chosen_after_the_run():
     assert len(cells.plot().axes) == 1
     motion = graze.simulate(OSCILLATOR, periods=60, section="impact", forces=20)
     assert "force" in motion.plot().axes[0].get_ylabel()
-    assert motion.plot(show="section").axes[0].get_xlabel() == "phase (rad)"
+    assert motion.plot(show="section").axes[0].get_xlabel() == "forcing phase at the impact (rad)"
     assert motion.plot(show="motion").axes[0].get_xlabel() == "time (s)"
     assert len(motion.plot(show="returns").axes) == 2
 

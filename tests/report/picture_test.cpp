@@ -10,8 +10,9 @@
 
 #include "apps/program.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/record/detail/diagram_record.hpp"
+#include "graze/report/chart/charts.hpp"
 #include "graze/report/chart/detail/motion_seen.hpp"
-#include "graze/report/picture/detail/picture_curve.hpp"
 #include "support/systems.hpp"
 
 namespace graze {
@@ -194,26 +195,6 @@ TEST(MotionSeen, ReachesTheEndOfTheRunBetweenTwoSamples) {
   EXPECT_EQ(seen.places[0].motion.back().time, record.run.end_time);
 }
 
-TEST(LabelCurves, KeepsItsDistance) {
-  GnuplotScript script;
-  std::vector<CurveLabel> labels;
-  for (const double at : {0.5, 0.52, 0.51, 1.0, 0.99, -3.0, kNaN}) labels.push_back({at, "x", "y"});
-  AxisRange axis;
-  axis.include(0.0);
-  axis.include(1.0);
-  label_curves(script, labels, axis, 0.1);
-  std::istringstream lines(script.text());
-  std::vector<double> places;
-  for (std::string line; std::getline(lines, line);) {
-    const std::string before = "graph 1.015, graph ";
-    places.push_back(std::stod(line.substr(line.find(before) + before.size())));
-  }
-  ASSERT_EQ(places.size(), labels.size());
-  EXPECT_EQ(places.front(), 0.0);
-  EXPECT_EQ(places.back(), 1.0);
-  for (std::size_t i = 1; i < places.size(); ++i) EXPECT_GT(places[i] - places[i - 1], 0.0999);
-}
-
 // A branch of orbits with two impacts a period; from the fourth point on the second of them has the
 // smaller phase and comes first.
 BranchRecord relabelled_branch() {
@@ -243,57 +224,73 @@ BranchRecord relabelled_branch() {
   return record;
 }
 
-// Rows of numbers of a data set beside a script, those of each line apart.
-std::vector<std::vector<std::pair<double, double>>> lines_in(const std::string& data,
-                                                             const std::string& name) {
-  std::vector<std::vector<std::pair<double, double>>> lines(1);
-  const std::size_t start = data.find("# [" + name + "]\n");
-  if (start == std::string::npos) return {};
-  std::istringstream rows(data.substr(data.find('\n', start) + 1));
-  for (std::string row; std::getline(rows, row) && !row.starts_with("#");) {
-    std::istringstream numbers(row);
-    double x = 0.0, y = 0.0;
-    if (numbers >> x >> y)
-      lines.back().emplace_back(x, y);
-    else if (!lines.back().empty())
-      lines.emplace_back();
-  }
-  if (lines.back().empty()) lines.pop_back();
-  return lines;
+// Null where there is none.
+const ChartSeries* series_of(const ChartPanel& panel, const std::string& look) {
+  for (const ChartSeries& series : panel.series)
+    if (series.look.id == look) return &series;
+  return nullptr;
 }
 
-TEST(DrawBranches, ShowsEveryImpactOfAnOrbitAsACurveOfItsOwn) {
-  const ScratchFolder scratch;
-  draw_branches((scratch / "x.svg").string(), relabelled_branch());
-  const std::string data = read_text(scratch / "x.gp.dat");
-  std::size_t curves = 0;
-  for (const auto& line : lines_in(data, "stable")) {
-    if (line.empty()) continue;
-    ++curves;
-    EXPECT_EQ(line.size(), 7U);
-    for (std::size_t i = 1; i < line.size(); ++i)
-      EXPECT_NEAR(line[i].second, line[i - 1].second, 0.011);
+TEST(ChartOfBranches, ShowsEveryImpactOfAnOrbitAsACurveOfItsOwn) {
+  const Chart chart = chart_of(relabelled_branch());
+  ASSERT_EQ(chart.rows.size(), 1U);
+  const ChartPanel& panel = chart.rows[0][0];
+  const ChartSeries* stable = series_of(panel, "stable");
+  ASSERT_NE(stable, nullptr);
+  std::vector<std::size_t> lengths = {0};
+  for (std::size_t i = 0; i < stable->y.size(); ++i) {
+    if (std::isnan(stable->y[i])) {
+      lengths.push_back(0);
+      continue;
+    }
+    if (lengths.back()++ > 0) EXPECT_NEAR(stable->y[i], stable->y[i - 1], 0.011);
   }
-  EXPECT_EQ(curves, 2U);
-  // The fold is marked on both.
-  const auto marks = lines_in(data, "LP");
-  ASSERT_EQ(marks.size(), 1U);
-  EXPECT_EQ(marks[0].size(), 2U);
+  EXPECT_EQ(lengths, (std::vector<std::size_t>{7, 7}));
+  // The fold is marked on both, and named once.
+  const ChartSeries* folds = series_of(panel, "LP");
+  ASSERT_NE(folds, nullptr);
+  EXPECT_EQ(folds->x.size(), 2U);
+  ASSERT_EQ(panel.names.size(), 2U);
+  EXPECT_EQ(panel.names[0].text, "LP1");
+  EXPECT_EQ(panel.names[1].text, "(1,2)");
 }
 
-TEST(DrawBranches, AMultiplierThatPassesTheCircleIsNoOpenStability) {
+TEST(ChartOfBranches, AMultiplierThatPassesTheCircleIsNoOpenStability) {
   BranchRecord record = relabelled_branch();
   std::vector<OrbitBranchPoint>& points = record.traced.branches[0].points;
   points[2].orbit.stable.reset();
   points[3].orbit.stable = false;
-  const ScratchFolder scratch;
-  const auto drawn = [&] {
-    draw_branches((scratch / "x.svg").string(), record);
-    return read_text(scratch / "x.gp");
-  };
-  EXPECT_EQ(drawn().find("stability open"), std::string::npos);
+  EXPECT_EQ(series_of(chart_of(record).rows[0][0], "open"), nullptr);
   points[3].orbit.stable.reset();
-  EXPECT_NE(drawn().find("stability open"), std::string::npos);
+  const Chart chart = chart_of(record);
+  EXPECT_NE(series_of(chart.rows[0][0], "open"), nullptr);
+}
+
+// The axis ends below zero at twice the largest exponent, .5 here.
+TEST(ChartOfDiagram, MarksExponentsThatTheAxisCuts) {
+  DiagramRecord record;
+  record.branches.traced.parameter = "stop.gap";
+  record.swept.options.exponent_periods = 1;
+  for (const double lower : {-0.5, -40.0, -std::numeric_limits<double>::infinity()}) {
+    SweepRow row;
+    row.value = static_cast<double>(record.swept.rows.size());
+    row.exponents.emplace();
+    row.exponents->values = (Vector(2) << 0.5 - row.value, lower).finished();
+    record.swept.rows.push_back(row);
+  }
+  const Chart chart = chart_of(record);
+  const ChartPanel& panel = chart.rows.back()[0];
+  ASSERT_EQ(panel.y.name, "Lyapunov exponents");
+  EXPECT_LT(panel.y.range.low, -1.0);
+  EXPECT_GT(panel.y.range.low, -1.1);
+  const auto heights = [&](const char* look) {
+    const ChartSeries* series = series_of(panel, look);
+    return series ? series->y : std::vector<double>();
+  };
+  EXPECT_EQ(heights("largest"), (std::vector<double>{0.5, -0.5}));
+  EXPECT_EQ(heights("lower"), std::vector<double>{-0.5});
+  // The largest of the last row, -1.5, is below the axis too.
+  EXPECT_EQ(heights("cut"), (std::vector<double>{-1.0, -1.0, -1.0}));
 }
 
 std::vector<ProbeRow> probes_of(const std::vector<ProbeQuantity>& quantities) {
@@ -319,38 +316,36 @@ TEST(MotionSeen, HoldsTheProbesAtEverySample) {
 }
 
 // One panel a unit; curves that share one are told apart.
-TEST(DrawSimulation, ShowsProbesInPanelsByTheirUnit) {
+TEST(MotionChart, ShowsProbesInPanelsByTheirUnit) {
   SimulationRecord record = simulated(pressed_oscillator(), 20.0, 100'000);
-  const ScratchFolder scratch;
-  const auto script = [&] {
-    draw_simulation((scratch / "x.svg").string(), record);
-    return read_text(scratch / "x.gp");
+  // Names of the panels' vertical axes that are of probes, with the titles of their curves.
+  const auto shown = [&] {
+    std::vector<std::string> list;
+    for (const std::vector<ChartPanel>& row : motion_chart(record).rows)
+      for (const ChartPanel& panel : row) {
+        std::string titles;
+        for (const ChartSeries& series : panel.series)
+          if (series.look.id.starts_with("probe")) titles += " " + series.title;
+        if (!titles.empty()) list.push_back(panel.y.name + " (" + panel.y.unit + "):" + titles);
+      }
+    return list;
   };
-  const auto count = [](const std::string& text, const std::string& part) {
-    int times = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-      ++times;
-    return times;
-  };
-  const int panels = count(script(), "set yrange");
+  EXPECT_TRUE(shown().empty());
   record.probes = probes_of({ProbeQuantity::kStrain});
-  std::string text = script();
-  EXPECT_EQ(count(text, "set yrange"), panels + 1);
-  EXPECT_NE(text.find("'probe 1'"), std::string::npos);
+  EXPECT_EQ(shown(), std::vector<std::string>{"strain\nprobe 1 (): probe 1"});
   record.probes =
       probes_of({ProbeQuantity::kStrain, ProbeQuantity::kDisplacement, ProbeQuantity::kStrain,
                  ProbeQuantity::kVelocity, ProbeQuantity::kDeflection});
-  text = script();
-  EXPECT_EQ(count(text, "set yrange"), panels + 3);
-  for (const char* name : {"'probes'", "'displacement u,'", "'deflection along u (m)'",
-                           "'probe 4 (m/s)'", "'probe 1'", "'probe 5'"})
-    EXPECT_NE(text.find(name), std::string::npos) << name;
-  EXPECT_EQ(text.find("'probe 4'"), std::string::npos);
+  EXPECT_EQ(shown(),
+            (std::vector<std::string>{"strain\nprobes (): probe 1 probe 3",
+                                      "displacement u,\ndeflection along u (m): probe 2 probe 5",
+                                      "velocity u’\nprobe 4 (m/s): probe 4"}));
   record.probes = probes_of(std::vector<ProbeQuantity>(8, ProbeQuantity::kVelocity));
-  EXPECT_NE(script().find("the first 6 of 8 probes"), std::string::npos);
+  EXPECT_EQ(shown(), std::vector<std::string>{"velocity u’\nprobes (m/s): probe 1 probe 2 probe 3 "
+                                              "probe 4 probe 5 probe 6"});
 }
 
-TEST(DrawSimulation, DrawsWhateverWasRecorded) {
+TEST(MotionChart, DrawsWhateverWasRecorded) {
   SimulationRecord two_places = simulated(pressed_oscillator(), 20.0, 100'000);
   two_places.system.stops.push_back(
       {Vector::Constant(1, 2.0), 30.0, ImpactLaw{Vector::Constant(1, 0.5), 0.5}});
@@ -367,7 +362,7 @@ TEST(DrawSimulation, DrawsWhateverWasRecorded) {
        {simulated(pressed_oscillator(), 60.0, 100'000), simulated(pressed_oscillator(), 0.0, 1),
         record_of(0, 0, {1.0}, {}), record_of(1, 0, {0.0}, {event_of(EventKind::kImpact, 0.0)}),
         two_places, not_finite, simulated(free, 10.0, 100'000)}) {
-    EXPECT_NO_THROW(draw_simulation(picture, record));
+    EXPECT_NO_THROW(draw_chart(picture, record.info, motion_chart(record)));
     EXPECT_GT(read_text(picture).size(), 1000U);
     EXPECT_EQ(read_text(scratch / "x.gp").find("nan"), std::string::npos);
   }

@@ -17,15 +17,6 @@ class Map(Result):
     main_table = "map"
     asked_by = {"loci": 'locus="all"'}
 
-    def plot(self, axes: Any = None, *, show: Optional[str] = None, at: Optional[str] = None) -> Any:
-        """A colour for each attractor, or a scale of colours for what `show` names: "impacts", "exponent",
-        "speed", "stuck", or what was measured at the place `at`."""
-        from .map_plot import plot_plane
-
-        plane = self._found.plane(show or "", at or "")
-        assert plane is not None
-        return plot_plane(self, plane, axes)
-
 
 @command("map")
 def map(

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict
+from typing import Any, Dict, List, Tuple
 
 import numpy as np
 
-from .picture_style import add_legend, label, line_style, new_figure
+from .picture_style import STYLE, add_legend, label, line_style, new_figure
 
 
 def plot_chart(chart: Dict[str, Any], axes: Any = None) -> Any:
@@ -20,7 +20,7 @@ def plot_chart(chart: Dict[str, Any], axes: Any = None) -> Any:
             )
         for cell, panel in zip(given, panels):
             _draw_panel(cell, panel)
-        add_legend(given[0].figure, given[0])
+        add_legend(given[0].figure, given[0], _patches(chart), chart["legend"])
         return given[0].figure
     columns = max(len(row) for row in rows)
     heights = [max(panel["height"] for panel in row) for row in rows]
@@ -33,8 +33,23 @@ def plot_chart(chart: Dict[str, Any], axes: Any = None) -> Any:
     for upper, lower, cells in zip(rows, rows[1:], grid):
         if len(upper) == len(lower) == 1 and _one_axis(upper[0]["x"], lower[0]["x"]):
             cells[0].set_xlabel("")
-    add_legend(figure, None)
+    add_legend(figure, None, _patches(chart), chart["legend"])
     return figure
+
+
+def _patches(chart: Dict[str, Any]) -> List[Any]:
+    """The grounds of cells that there are, for a legend."""
+    from matplotlib.patches import Patch
+
+    used = []
+    for row in chart["rows"]:
+        for panel in row:
+            cells = panel["cells"]
+            for i in np.unique(cells["ground"]) if cells else []:
+                if i >= 0:
+                    title, colour = cells["grounds"][i]
+                    used.append(Patch(facecolor=colour, edgecolor="#999999", linewidth=0.4, label=title))
+    return used
 
 
 def _one_axis(upper: Dict[str, Any], lower: Dict[str, Any]) -> bool:
@@ -44,6 +59,8 @@ def _one_axis(upper: Dict[str, Any], lower: Dict[str, Any]) -> bool:
 
 def _draw_panel(axes: Any, panel: Dict[str, Any]) -> None:
     across, up = panel["x"], panel["y"]
+    if panel["cells"]:
+        _draw_cells(axes, panel)
     for fill in panel["fills"]:
         scaled = (up if fill["is_upright"] else across)["factor"]
         ends = [_within(axes, scaled * fill[end], end, fill["is_upright"]) for end in ("from", "to")]
@@ -52,6 +69,9 @@ def _draw_panel(axes: Any, panel: Dict[str, Any]) -> None:
     for series in panel["series"]:
         style = line_style(series["look"], series["is_line"], series["has_marks"])
         x, y = across["factor"] * series["x"], up["factor"] * series["y"]
+        if panel["cells"] and series["is_line"]:
+            seam = {**style, "color": "#FFFFFF", "linestyle": "-", "linewidth": style["linewidth"] + 1.0}
+            axes.plot(x, y, **seam)
         axes.plot(x, y, label=series["title"] or None, **style)
         if len(series["error"]):
             axes.errorbar(
@@ -62,10 +82,62 @@ def _draw_panel(axes: Any, panel: Dict[str, Any]) -> None:
         axes.axhline(up["factor"] * level, color="#999999", linewidth=0.6)
     _settle(axes, across, "x")
     _settle(axes, up, "y")
+    _write_names(axes, panel)
     if panel["heading"]:
         axes.set_title(panel["heading"], fontsize=8.0)
     if panel["remark"]:
         axes.text(0.5, 0.5, panel["remark"], transform=axes.transAxes, ha="center", fontsize=8.0)
+
+
+def _draw_cells(axes: Any, panel: Dict[str, Any]) -> None:
+    """Each in its ground, or by its number in the colours of the bar; what has neither stays white."""
+    from matplotlib.colors import LinearSegmentedColormap, ListedColormap
+
+    cells = panel["cells"]
+    shape = (cells["rows"], cells["columns"])
+    edges = [
+        panel[which]["factor"] * np.linspace(*cells[which], count + 1)
+        for which, count in (("x", cells["columns"]), ("y", cells["rows"]))
+    ]
+    style = {"shading": "flat", "rasterized": True}
+    ground = cells["ground"].reshape(shape)
+    if cells["grounds"]:
+        colours = ListedColormap([colour for _, colour in cells["grounds"]])
+        axes.pcolormesh(
+            *edges, np.ma.masked_less(ground, 0), cmap=colours, vmin=-0.5,
+            vmax=len(cells["grounds"]) - 0.5, **style,
+        )
+    if not len(cells["numbers"]):
+        return
+    bar = cells["bar"]
+    numbers = np.ma.masked_invalid(bar["factor"] * cells["numbers"].reshape(shape))
+    low, high = (bar["factor"] * end for end in bar["range"])
+    colours = LinearSegmentedColormap.from_list("cells", cells["colours"])
+    drawn = axes.pcolormesh(*edges, numbers, cmap=colours, vmin=low, vmax=high, **style)
+    beside = axes.figure.colorbar(drawn, ax=axes)
+    beside.set_label(label(bar["name"], bar["unit"]), fontsize=STYLE["axes.labelsize"])
+    beside.ax.tick_params(labelsize=STYLE["ytick.labelsize"])
+
+
+def _write_names(axes: Any, panel: Dict[str, Any]) -> None:
+    """Points with their names, those that stand too close for names of their own with one; areas over
+    several lines. Curves are told apart by the legend."""
+    spans = np.array([np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim())])
+    factors = np.array([panel["x"]["factor"], panel["y"]["factor"]])
+    points: List[Tuple[List[str], Any]] = []
+    for name in panel["names"]:
+        place = factors * np.array(name["places"][0]) if name["places"] else spans * np.nan
+        if name["of"] == "area":
+            axes.text(*place, name["text"], ha="center", va="center", fontsize=7.0)
+        elif name["of"] == "point":
+            near = [names for names, at in points if np.abs((at - place) / spans).max() < 0.03]
+            if near:
+                near[0].append(name["text"])
+            else:
+                points.append(([name["text"]], place))
+    for names, place in points:
+        text = ", ".join(names) if len(names) < 3 else f"{names[0]} and {len(names) - 1} more"
+        axes.annotate(text, place, fontsize=6.0, xytext=(2, 2), textcoords="offset points", clip_on=True)
 
 
 def _within(axes: Any, value: float, end: str, is_upright: bool) -> float:

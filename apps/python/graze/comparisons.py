@@ -22,14 +22,6 @@ class ComparisonMap(Result):
 
     main_table = "comparison"
 
-    def plot(self, axes: Any = None, *, show: Optional[str] = None, at: Optional[str] = None) -> Any:
-        """Where both motions settle on the same, or the difference that `show` names."""
-        from .map_plot import plot_plane
-
-        plane = self._found.plane(show or "", at or "")
-        assert plane is not None
-        return plot_plane(self, plane, axes)
-
 
 @result_kind("sensitivity")
 class Sensitivity(Result):

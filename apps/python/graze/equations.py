@@ -48,7 +48,7 @@ class Branch:
 
     def plot(self, axes: Any = None, unknown: int = 0) -> Any:
         """An unknown over the parameter, with the special points; returns the Figure."""
-        from .branch_plot import plot_equations
+        from .equation_plot import plot_equations
 
         return plot_equations(self, unknown, axes)
 

@@ -21,13 +21,6 @@ class Loci(Result):
     def _list(self) -> Sequence[Table]:
         return self._by("locus")
 
-    def plot(self, axes: Any = None, *, show: Optional[str] = None, at: Optional[str] = None) -> Any:
-        """The loci in the plane of the two parameters."""
-        from .branch_plot import plot_loci
-
-        self._found.chart(show or "", at or "")  # says that there is nothing to choose
-        return plot_loci(self, axes)
-
 
 @command("continue", locus="all")
 def loci(

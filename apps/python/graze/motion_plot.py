@@ -1,4 +1,4 @@
-"""Motions and Poincare sections."""
+"""Motions over time."""
 
 from __future__ import annotations
 
@@ -57,25 +57,5 @@ def _plot_speeds(result: Any, axes: Any) -> Any:
         )
     cell.set_xlabel(label("time", result._found.unit("s")))
     cell.set_ylabel(label("impact speed", unit))
-    add_legend(figure, axes)
-    return figure
-
-
-def plot_section(result: Any, axes: Any) -> Any:
-    figure, cell = one_axes(axes)
-    section = result.table("section")
-    across, up = section.columns[2:]
-    units = {"phase": "rad", "speed": "m/s", "displacement": "m", "velocity": "m/s"}
-    scaled = [(unit_for(result._found.unit(units[name]), section[name]), section[name]) for name in (across, up)]
-    (x_unit, x), (y_unit, y) = scaled
-    for stop in np.unique(section["stop"]):
-        of = section["stop"] == stop
-        colour = looks()["curves"][(int(stop) - 1) % len(looks()["curves"])]
-        cell.plot(
-            x_unit[0] * x[of], y_unit[0] * y[of], ".", color=colour, markersize=2.0,
-            label=f"stop {int(stop)}",
-        )
-    cell.set_xlabel(label(across, x_unit[1]))
-    cell.set_ylabel(label(up, y_unit[1]))
     add_legend(figure, axes)
     return figure

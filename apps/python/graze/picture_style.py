@@ -85,9 +85,11 @@ def one_axes(axes: Any, height: float = 7.0) -> Any:
     return figure, grid[0][0]
 
 
-def add_legend(figure: Any, given: Any, more: Sequence[Any] = ()) -> None:
+def add_legend(
+    figure: Any, given: Any, more: Sequence[Any] = (), order: Sequence[str] = ()
+) -> None:
     """Every title once: at the head of a figure of the package's own, within axes that were given.
-    `more`: patches that stand in no axes."""
+    `more`: patches that stand in no axes. `order`: of the titles; others come first."""
     cells = figure.axes if given is None else [given]
     unique = {patch.get_label(): patch for patch in more}
     for cell in cells:
@@ -95,6 +97,8 @@ def add_legend(figure: Any, given: Any, more: Sequence[Any] = ()) -> None:
         unique.update({title: handle for title, handle in zip(titles, handles) if title not in unique})
     if not unique:
         return
+    places = {title: place for place, title in enumerate(order)}
+    unique = dict(sorted(unique.items(), key=lambda entry: places.get(entry[0], -1)))
     style = {"fontsize": 7.0, "frameon": False, "handlelength": 2.2}
     if given is not None:
         given.legend(unique.values(), unique.keys(), **style)

@@ -40,7 +40,7 @@ class Simulation(Result):
     def plot(self, axes: Any = None, *, show: Optional[str] = None, at: Optional[str] = None) -> Any:
         """The gap of every stop over time with the impacts, or their speeds; or the section, or the forces.
         `show` chooses: "motion", "section", "returns" (each impact over the one before) or "forces"."""
-        from .motion_plot import plot_motion, plot_section
+        from .motion_plot import plot_motion
 
         if show is None and at is None:
             show = next((kind for kind in ("forces", "section") if kind in self.tables), "motion")
@@ -49,7 +49,7 @@ class Simulation(Result):
         if show == "section" and at is None:
             if "section" not in self.tables:
                 raise self._without("section")
-            return plot_section(self, axes)
+            show = None
         return super().plot(axes, show=show, at=at)
 
 

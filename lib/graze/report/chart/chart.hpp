@@ -2,7 +2,10 @@
 // of what it stands for. Pictures (gnuplot) and pages (a browser) draw the same charts.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "graze/report/appearance/looks.hpp"
@@ -17,6 +20,7 @@ struct ChartAxis {
   AxisScale scale = AxisScale::kLinear;
   std::string path = {};   // of the parameter that it is, "forcing.frequency"; or none
   bool from_zero = false;  // zero belongs to the range
+  bool is_asked = false;  // a range or a scale that is asked for holds for it, as for the first one
 };
 
 struct ChartSeries {
@@ -25,6 +29,32 @@ struct ChartSeries {
   bool is_line = true, has_marks = false;
   std::vector<double> x, y;        // SI; a NaN breaks a line
   std::vector<double> error = {};  // half the length of a bar at every point, SI; or none
+  bool are_dots = false;           // marks by the million, the smallest that are seen
+};
+
+// Words within a panel, written where there is room for them: beside a point, at one of several
+// places on a curve, or over an area, there in several lines.
+struct ChartName {
+  enum class Of { kPoint, kCurve, kArea };
+  Of of = Of::kPoint;
+  std::string text;
+  std::vector<std::pair<double, double>> places;  // SI
+};
+
+// Cells of a panel, row by row. A cell has a number, shown by a scale of colours that stands beside
+// the axes, or a ground, or neither.
+struct ChartCells {
+  struct Ground {
+    std::string title, colour;
+  };
+  std::size_t columns = 0, rows = 0;
+  // From the outer edge of the first column or row to that of the last, SI.
+  std::array<double, 2> x{}, y{};
+  std::vector<Ground> grounds;
+  std::vector<int> ground;                // of every cell, -1: none
+  std::vector<double> numbers = {};       // of every cell, SI, a NaN: none; or no cell has one
+  ChartAxis bar = {};                     // of the numbers
+  std::vector<std::string> colours = {};  // of the bar, at equal steps from its low end
 };
 
 // A filled part of the panel, from one value of x to another over the whole height, or likewise of
@@ -44,12 +74,15 @@ struct ChartPanel {
   std::string heading = {};         // above the axes
   double height = 2.6;              // cm of a picture 12 cm wide
   std::string remark = {};          // within the axes, where there is nothing to draw
+  std::vector<ChartName> names = {};
+  std::optional<ChartCells> cells = {};  // below all else
 };
 
 // Rows of panels, from the head down; panels one below the other over equal axes share their names.
 struct Chart {
   std::string title;  // of a page: "Fit"
   std::vector<std::vector<ChartPanel>> rows;
+  std::vector<std::string> legend = {};  // titles in their order; those not among them come first
 };
 
 }  // namespace graze

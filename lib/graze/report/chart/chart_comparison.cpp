@@ -3,9 +3,9 @@
 #include <limits>
 
 #include "graze/record/detail/comparison_record.hpp"
+#include "graze/record/names/detail/comparison_names.hpp"
 #include "graze/report/chart/charts.hpp"
 #include "graze/report/chart/detail/motion_seen.hpp"
-#include "graze/record/names/detail/comparison_names.hpp"
 
 namespace graze {
 namespace {

@@ -33,6 +33,25 @@ Chart chart_of(const SensitivityRecord& record);
 // largest size that each probe saw.
 Chart chart_of(const RunDiagramRecord& record);
 
+// Branches of orbits over their parameter: the speed of every impact, or what the record shows of
+// them, a curve each, parted by stability, with the special points. `multipliers`: the largest one
+// in a panel below.
+Chart chart_of(const BranchRecord& record, bool multipliers = false);
+// Every sample of the sweep as a dot: impact speeds, or displacements towards the stops, a panel
+// each, and exponents; over them the branches.
+Chart chart_of(const DiagramRecord& record, bool multipliers = false);
+
+// Loci in the plane of two parameters, each kind in a colour and a dash of its own; parts whose
+// orbits are none of the system grey. Points of codimension two are marked and named; what is
+// stable, where the record has it, is a ground below.
+Chart chart_of(const LociRecord& record);
+
+// The plane of two numbers, a ground for each attractor, or a scale of colours for what is shown;
+// over it the loci.
+Chart chart_of(const MapRecord& record);
+// Over a plane, a ground for what both motions settle on, or a scale for a difference.
+Chart chart_of(const ComparisonMapRecord& record);
+
 // The first six mode shapes of a structure, each by its largest value: of a beam over its length;
 // of matrices whose nodes have coordinates its bars, displaced, in the plane of their largest
 // extents, a panel each mode, else over the degrees of freedom. `omega`: of the modes, rad/s.
@@ -50,6 +69,17 @@ bool shows_force_means(const SimulationRecord& record);
 
 // Amplitudes over the frequency at the places of the stops, of the samples that the record holds.
 Chart spectrum_chart(const SimulationRecord& record);
+
+// The recorded samples over time: displacement at every place that has stops (the first four), with
+// the impacts and the phases in which it was stuck; velocity at the first of them; probes; contact
+// forces where there were any; the energy, when the samples carry its balance, and the work done on
+// it since the first sample. Below, the phase portraits of the first two places. Without stops all
+// of it for the first modal coordinate.
+Chart motion_chart(const SimulationRecord& record);
+
+// The Poincare section of the run: speed over phase of its impacts, or velocity over displacement
+// once a forcing period; a colour for each stop.
+Chart section_chart(const SimulationRecord& record);
 
 // The speed and the phase of each impact of the record's section over those of the one before.
 Chart returns_chart(const SimulationRecord& record);

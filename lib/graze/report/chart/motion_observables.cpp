@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "graze/base/angle.hpp"
-#include "graze/report/chart/detail/motion_seen.hpp"
 #include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/report/chart/detail/motion_seen.hpp"
 
 namespace graze {
 namespace {

@@ -192,6 +192,12 @@ std::vector<SeenProbe> probes_seen(const SamplesSeen& samples,
 
 }  // namespace
 
+bool is_near(const SeenStop& stop, const AxisRange& motion) {
+  if (motion.empty()) return true;
+  const double reach = 4.0 * std::max(motion.span(), 0.25 * largest(motion));
+  return stop.place >= motion.low - reach && stop.place <= motion.high + reach;
+}
+
 std::vector<TimeSpan> stuck_phases(const SimulationRecord& record, int stop,
                                    const TimeSpan& window) {
   std::vector<TimeSpan> phases;

@@ -65,7 +65,8 @@ function curveSeries({ panel, i, x, y, ranges }, theme, shows) {
     if (series.error) parts.push(errorBars(series, points, { id: `error ${i} ${k}`, z: over }, y, ranges.y, theme, common));
     if (series.marks)
       parts.push({ ...common, id: `marks ${i} ${k}`, type: 'scatter', data: points.filter((point) => point.every(Number.isFinite)), z: over + 1,
-        ...stamp(series.look, theme, points.length > kMany ? kWhole : 1) });
+        ...(series.dots ? { ...stamp(series.look, theme), symbol: 'circle', symbolSize: points.length > kMany ? 2 : 4, large: true, largeThreshold: kMany }
+          : stamp(series.look, theme, points.length > kMany ? kWhole : 1)) });
     return parts;
   });
 }

@@ -46,6 +46,7 @@ Json series_json(const ChartSeries& series) {
                {"x", packed(series.x)},
                {"y", packed(series.y)}};
   if (!series.error.empty()) json["error"] = packed(series.error);
+  if (series.are_dots) json["dots"] = true;
   return json;
 }
 

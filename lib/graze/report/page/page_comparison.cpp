@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "graze/record/detail/comparison_record.hpp"
-#include "graze/report/json/detail/json_page.hpp"
 #include "graze/record/names/detail/comparison_names.hpp"
+#include "graze/report/json/detail/json_page.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/page/detail/page_plane.hpp"
 #include "graze/report/text/detail/shell_word.hpp"

@@ -3,25 +3,22 @@
 #include <algorithm>
 #include <limits>
 
+#include "graze/report/chart/detail/branch_lines.hpp"
 #include "graze/report/json/detail/json_page.hpp"
-#include "graze/report/picture/detail/branch_lines.hpp"
 
 namespace graze {
 namespace {
 
 constexpr double kNoPoint = std::numeric_limits<double>::quiet_NaN();
 
-// The plane that distances along a branch are measured in.
-PicturePlane plane_of(const BranchRecord& record, const MotionObservable& observable) {
-  PicturePlane plane;
-  plane.x.include(record.from);
-  plane.x.include(record.to);
+// What distances along a branch are measured by.
+AxisRange heights_of(const MotionObservable& observable) {
+  AxisRange range;
   for (const DiagramCurve& curve : observable.curves)
     for (const std::vector<double>& heights : curve.points)
-      for (const double height : heights) plane.y.include(height);
-  plane.x.settle(0.0);
-  plane.y.settle(0.0);
-  return plane;
+      for (const double height : heights) range.include(height);
+  range.settle(0.0);
+  return range;
 }
 
 // Which of the values a node is; of equal ones that which the node before was.
@@ -59,13 +56,17 @@ Json page_lines(const BranchRecord& record, const std::vector<MotionObservable>&
     first_special.push_back(count);
     count += static_cast<int>(branch.special.size());
   }
+  AxisRange across;
+  for (const double end : {record.from, record.to}) across.include(end);
+  across.settle(0.0);
   Json layouts = Json::object();
   for (const MotionObservable& observable : observables) {
     const std::string layout = observable.is_of_motion ? "motion" : observable.key;
     if (observable.curves.empty() || layouts.contains(layout)) continue;
     Json list = Json::array();
-    const PicturePlane plane = plane_of(record, observable);
-    for (const BranchLine& line : branch_lines(branches, observable.curves, plane).lines)
+    const BranchLines made =
+        branch_lines(branches, observable.curves, across.span(), heights_of(observable).span());
+    for (const BranchLine& line : made.lines)
       list.push_back(line_json(line, observable, first_special[line.branch]));
     if (!list.empty()) layouts[layout] = std::move(list);
   }

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graze/assembly/system_family.hpp"
 #include "graze/base/parallel.hpp"
 #include "graze/bifurcation/problem/detail/special_names.hpp"
+#include "graze/record/names/detail/sweep_names.hpp"
 #include "graze/report/appearance/looks.hpp"
 #include "graze/report/chart/detail/motion_observables.hpp"
 #include "graze/report/json/detail/json_page_orbits.hpp"
-#include "graze/record/names/detail/sweep_names.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/page/detail/page_curves.hpp"
 
@@ -290,7 +291,8 @@ void DiagramPage::add_observables(const std::vector<MotionObservable>& observabl
 
 }  // namespace
 
-void write_page(const std::string& file, const BranchRecord& record, const SystemFamily& family) {
+void write_page(const std::string& file, const BranchRecord& record, const Scene& scene) {
+  const SystemFamily family(scene, record.traced.parameter);
   DiagramPage page(record, family);
   page.set_view("Branches of orbits", record.traced.notes);
   const std::vector<MotionObservable> observables = motion_observables(record, nullptr);
@@ -299,7 +301,8 @@ void write_page(const std::string& file, const BranchRecord& record, const Syste
   page.write(file);
 }
 
-void write_page(const std::string& file, const DiagramRecord& record, const SystemFamily& family) {
+void write_page(const std::string& file, const DiagramRecord& record, const Scene& scene) {
+  const SystemFamily family(scene, record.swept.parameter);
   DiagramPage page(record.branches, family);
   page.set_view("Bifurcation diagram", record.branches.traced.notes);
   const std::vector<MotionObservable> observables = motion_observables(record);

@@ -5,12 +5,12 @@
 
 #include "graze/record/detail/loci_record.hpp"
 #include "graze/record/names/detail/kind_names.hpp"
-#include "graze/report/json/detail/json_page.hpp"
 #include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/report/chart/detail/region_tints.hpp"
+#include "graze/report/json/detail/json_page.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/page/detail/page_plane.hpp"
 #include "graze/report/page/detail/page_tables.hpp"
-#include "graze/report/picture/detail/picture_regions.hpp"
 
 namespace graze {
 namespace {
@@ -27,8 +27,7 @@ Plane plane_of(const LociRecord& record) {
 
 // Kinds are what is stable; their colours those of the tints behind the curves of a picture.
 MapLegend region_legend(const StableRegions& regions) {
-  const PicturePlane plane;  // only where they lie depends on it
-  const RegionTints tints(regions, plane);
+  const RegionTints tints = region_tints(regions);
   MapLegend legend;
   std::map<int, std::size_t> entries;  // of tints
   std::map<std::string, int> kinds;
@@ -41,12 +40,13 @@ MapLegend region_legend(const StableRegions& regions) {
     const std::string label = label_of(place.stable);
     const auto [kind, is_new] = kinds.emplace(label, static_cast<int>(legend.kinds.size()));
     if (is_new) {
-      const int tint = tints.tints()[i];
+      const int tint = tints.of[i];
       const auto [entry, is_first] = entries.emplace(tint, legend.entries.size());
       if (is_first)
         legend.entries.push_back(
             tint < 0 ? MapLegend::Entry{"nothing stable found", ground_look("none").colour}
-                     : MapLegend::Entry{tints.tint_title(tint), tints.colour_of(tint)});
+                     : MapLegend::Entry{tints.grounds[static_cast<std::size_t>(tint)].title,
+                                        tints.grounds[static_cast<std::size_t>(tint)].colour});
       legend.kinds.push_back({label.empty() ? "nothing stable found" : label, entry->second});
     }
     legend.kind_of.push_back(kind->second);
@@ -95,25 +95,23 @@ void write_page(const std::string& file, const LociRecord& record, const Scene& 
     const Plane plane = plane_of(record);
     view["x"] = plane_axis_json(plane.x, record.unit);
     view["y"] = plane_axis_json(plane.y, record.second_unit);
-    view["cells"] =
-        cells_json({"stable motions", region_legend(regions), [&](std::size_t i) -> const auto& {
-                      return regions.places[i].message;
+    const auto message = [&](std::size_t i) -> const std::string& {
+      return regions.places[i].message;
+    };
+    view["cells"] = cells_json({"stable motions", region_legend(regions), message});
+    view["command"] = cell_command_json(page_command(record.info, "orbit", {}),
+                                        fmt::format(" --period {}", regions.period), plane, scene);
+  } else {
+    AxisRange x, y;
+    x.include(record.from), x.include(record.to);
+    y.include(record.second_from), y.include(record.second_to);
+    view["x"] = plane_axis_json(record.traced.first, record.unit, x);
+    view["y"] = plane_axis_json(record.traced.second, record.second_unit, y);
+    view["cells"] = nullptr;
   }
-});
-view["command"] = cell_command_json(page_command(record.info, "orbit", {}),
-                                    fmt::format(" --period {}", regions.period), plane, scene);
-}  // namespace graze
-else {
-  AxisRange x, y;
-  x.include(record.from), x.include(record.to);
-  y.include(record.second_from), y.include(record.second_to);
-  view["x"] = plane_axis_json(record.traced.first, record.unit, x);
-  view["y"] = plane_axis_json(record.traced.second, record.second_unit, y);
-  view["cells"] = nullptr;
-}
-view["loci"] = loci_json(&record.traced);
-view["tables"] = tables_json({loci_table(record)});
-write_page_file(file, view, Json::array());
+  view["loci"] = loci_json(&record.traced);
+  view["tables"] = tables_json({loci_table(record)});
+  write_page_file(file, view, Json::array());
 }
 
 }  // namespace graze

@@ -3,7 +3,7 @@
 
 namespace graze {
 
-void write_page(const std::string& file, const OrbitRecord& record) {
+void write_page(const std::string& file, const OrbitRecord& record, const Scene&) {
   Json view = page_view(record.info, record.outcome, record.warnings, record.found.notes);
   view["kind"] = "orbits";
   view["title"] = "Periodic orbits";

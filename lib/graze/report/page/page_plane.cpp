@@ -6,8 +6,8 @@
 #include <limits>
 #include <map>
 
+#include "graze/report/chart/detail/chart_loci.hpp"
 #include "graze/report/json/detail/json_page.hpp"
-#include "graze/report/picture/detail/picture_locus_curves.hpp"
 #include "graze/scene/detail/start_coordinate.hpp"
 
 namespace graze {

@@ -5,12 +5,12 @@
 #include <iterator>
 
 #include "graze/assembly/probes.hpp"
+#include "graze/report/appearance/looks.hpp"
 #include "graze/report/chart/detail/motion_seen.hpp"
+#include "graze/report/chart/detail/probe_panels.hpp"
 #include "graze/report/json/detail/json_page.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/page/detail/page_beam.hpp"
-#include "graze/report/picture/detail/picture_probes.hpp"
-#include "graze/report/picture/detail/picture_stops.hpp"
 
 namespace graze {
 namespace {
@@ -114,7 +114,9 @@ class SimulationPage {
       AxisRange range;
       for (const MotionPoint& point : place.motion) range.include(point.displacement);
       // A stop far off the motion would press it flat.
-      StopMarks(place.stops, range, {}, several_stops(), record_.info.units).include(range);
+      const AxisRange motion = range;
+      for (const SeenStop& stop : place.stops)
+        if (is_near(stop, motion)) range.include(stop.place);
       add_panel("displacement", length, range);
       set_place(i);
     }
@@ -135,8 +137,7 @@ class SimulationPage {
   }
 
   void add_curves() {
-    const ProbePanels probes(seen_.probes, record_.info.units);
-    for (const ProbePanels::Panel& panel : probes.panels()) {
+    for (const ProbePanel& panel : probe_panels(seen_.probes)) {
       std::vector<PageCurve> curves;
       for (const SeenProbe& probe : panel.probes)
         if (curves.size() < curve_colours().size())

@@ -12,9 +12,9 @@
 #include "graze/record/detail/fit_record.hpp"
 #include "graze/record/detail/run_diagram_record.hpp"
 #include "graze/record/detail/sensitivity_record.hpp"
+#include "graze/record/names/detail/sweep_names.hpp"
 #include "graze/report/chart/axis.hpp"
 #include "graze/report/json/detail/json_page.hpp"
-#include "graze/record/names/detail/sweep_names.hpp"
 
 namespace graze {
 namespace {

@@ -67,8 +67,4 @@ void add_marks(std::vector<std::string>& layers, const std::string& table, const
   layers.push_back(table + " " + mark_of(look, scale));
 }
 
-double crowded_mark_size(std::size_t count) {
-  return 0.9 * std::clamp(std::sqrt(12.0 / std::max(static_cast<double>(count), 1.0)), 0.5, 1.0);
-}
-
 }  // namespace graze

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "graze/report/appearance/looks.hpp"
+
 namespace graze {
 namespace {
 
@@ -27,7 +29,7 @@ double characters_of(const std::string& text) {
 
 }  // namespace
 
-LabelRoom::LabelRoom(const PicturePlane& plane, double width, double height)
+LabelRoom::LabelRoom(const LabelPlane& plane, double width, double height)
     : plane_(plane),
       width_(width),
       height_(height),
@@ -76,13 +78,24 @@ void LabelRoom::add_mark(double x, double y) {
     fill({at_x - kMark, at_x + kMark, at_y - kMark, at_y + kMark}, kOnMark);
 }
 
-void LabelRoom::take(const std::vector<std::string>& lines, double x, double y) {
+void LabelRoom::write_over(GnuplotScript& script, const std::string& text, double x, double y) {
+  std::vector<std::string> lines;
   double longest = 0.0;
-  for (const std::string& line : lines) longest = std::max(longest, characters_of(line));
-  const double half_width = 0.5 * kCharacter * longest;
-  const double half_height = 0.75 * kLine * static_cast<double>(lines.size());
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    lines.push_back(text.substr(start, end - start));
+    longest = std::max(longest, characters_of(lines.back()));
+    start = end + 1;
+  }
+  const auto count = static_cast<double>(lines.size());
+  const double half_width = 0.5 * kCharacter * longest, half_height = 0.75 * kLine * count;
   fill({cm_x(x) - half_width, cm_x(x) + half_width, cm_y(y) - half_height, cm_y(y) + half_height},
        kOnLabel);
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    script.command(
+        fmt::format("set label {} at {:.9g}, {:.9g} center offset 0, {:.3g} front "
+                    "font medium",
+                    gnuplot_string(lines[k]), x, y, 0.5 * (count - 1.0) - static_cast<double>(k)));
 }
 
 // Nothing where the box covers a mark or a label, is crossed by a line, or reaches out of the

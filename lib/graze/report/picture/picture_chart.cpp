@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <set>
+#include <map>
 
 #include "graze/report/chart/chart.hpp"
-#include "graze/report/picture/detail/gnuplot_looks.hpp"
-#include "graze/report/picture/detail/picture_curve.hpp"
+#include "graze/report/picture/detail/chart_layers.hpp"
 #include "graze/report/picture/pictures.hpp"
 
 namespace graze {
@@ -17,7 +15,8 @@ namespace {
 constexpr double kSheet = 12.0;  // of which margins are parts
 constexpr double kLowest = 0.3;  // of the height of axes, where there is too little room
 constexpr double kUsual = 9.0;   // height of a picture
-constexpr double kLeft = 2.56, kRight = 0.48;
+constexpr double kHigh = 5.0;    // of a panel that has room for more tics
+constexpr double kLeft = 2.56, kRight = 0.48, kRightOfBar = 2.76;
 constexpr double kHead = 0.36, kHertz = 1.55;    // above the axes, and with an axis in Hz
 constexpr double kAxisText = 1.55;               // tics and name of a horizontal axis
 constexpr double kBetween = 0.4, kBeside = 1.3;  // two panels
@@ -26,60 +25,31 @@ constexpr double kLetter = 0.18;                 // of the name of an axis
 constexpr double kNameLine = 0.45;               // of the name of a horizontal axis
 constexpr double kHeading = 0.42;                // a line above a panel
 constexpr double kLegendLine = 0.37;             // of a legend at the foot
+constexpr double kEdge = 0.02;                   // beside it, part of the sheet
 constexpr double kMarkSpacing = 1.25;            // of its lines, relative, where they have marks
-constexpr std::size_t kLong = 27;  // of a legend's entry: longer ones have a line each
-
-// The values that the axis has to show. A logarithmic one shows all that is above zero.
-AxisRequest request_of(const ChartAxis& axis, const std::vector<double>& values,
-                       const AxisRequest& asked) {
-  AxisRequest request = asked;
-  request.scale = axis.scale;
-  if (!axis.range.empty()) {
-    if (!request.low) request.low = axis.range.low;
-    if (!request.high) request.high = axis.range.high;
-  }
-  if (axis.scale != AxisScale::kLog || (request.low && request.high)) return request;
-  double low = std::numeric_limits<double>::infinity(), high = 0.0;
-  for (const double value : values) {
-    if (!(value > 0.0) || !std::isfinite(value)) continue;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  if (!(low < high)) low = 0.5 * std::max(high, 1e-300), high = 4.0 * low;
-  const double room = std::pow(high / low, 0.06);
-  if (!request.low) request.low = low / room;
-  if (!request.high) request.high = high * room;
-  return request;
-}
-
-std::vector<double> values_of(const ChartPanel& panel, std::vector<double> ChartSeries::*part,
-                              bool upright) {
-  std::vector<double> values;
-  for (const ChartSeries& series : panel.series)
-    for (std::size_t i = 0; i < (series.*part).size(); ++i) {
-      const double value = (series.*part)[i];
-      values.push_back(value);
-      if (upright && i < series.error.size())
-        for (const double end : {value - series.error[i], value + series.error[i]})
-          values.push_back(end);
-    }
-  if (upright) values.insert(values.end(), panel.levels.begin(), panel.levels.end());
-  return values;
-}
-
-bool is_alike(const ChartAxis& a, const ChartAxis& b) {
-  return a.name == b.name && a.path == b.path && a.scale == b.scale && a.unit == b.unit;
-}
+// Of a legend's entry, letters: longer ones have a line each; where all are short and many there
+// are three in a line.
+constexpr std::size_t kLong = 27, kShort = 14, kMany = 4;
+constexpr double kDot = 0.16;  // of gnuplot's points, of one that is seen among a million
+constexpr int kPixels = 2000;  // of dots, across a picture of 12 cm
 
 class ChartPicture {
  public:
   ChartPicture(const PictureRequest& request, const RunInfo& info, const Chart& chart)
-      : request_(request), chart_(chart), canvas_(canvas_of(request, info, kUsual)) {
+      : request_(request),
+        chart_(chart),
+        axes_(axes_of(chart, request)),
+        canvas_(canvas_of(request, info, kUsual)) {
+    for (const std::vector<ChartPanel>& row : chart.rows)
+      for (const ChartPanel& panel : row)
+        if (panel.cells && !panel.cells->numbers.empty()) right_ = kRightOfBar;
     gather_legend();
     lay_out(info);
+    lay_out_dots();
   }
 
   const Canvas& canvas() const { return canvas_; }
+  bool has_pixels() const { return !bands_.empty(); }
 
   GnuplotScript script() {
     set_style(script_);
@@ -96,41 +66,68 @@ class ChartPicture {
     return script_;
   }
 
+  // The dots alone, the insides of the axes one above the other over the whole of a canvas.
+  PixelLayer dots() const {
+    PixelLayer layer;
+    layer.width = band_width_;
+    layer.height = band_height_;
+    layer.script.command("unset border\nunset tics\nunset key\nset multiplot");
+    const auto part = [](int pixels, int of) {
+      return static_cast<double>(pixels) / static_cast<double>(of);
+    };
+    for (const Band& band : bands_) {
+      set_margins(layer.script, {.left = 0.0,
+                                 .right = 1.0 - part(band.width, layer.width),
+                                 .bottom = part(band.below, layer.height),
+                                 .top = 1.0 - part(band.below + band.height, layer.height)});
+      layer.script.command("set xrange " + band.axes->x.range().text() + "\nset yrange " +
+                           band.axes->y.range().text());
+      // Points of size 1 are some 5 pixels wide here, so a dot is 0.3 mm at most.
+      layer.script.plot(dot_layers(*band.axes, 1.0, layer.script));
+    }
+    layer.script.command("unset multiplot");
+    return layer;
+  }
+
  private:
+  // A panel's part of the canvas of dots, pixels from its foot.
+  struct Band {
+    const PanelAxes* axes;
+    int width, height, below;
+  };
+
   void gather_legend() {
-    std::set<std::string> known;
+    // By their place in the chart's own order, then as they come.
+    std::map<std::pair<std::size_t, std::size_t>, std::string> entries;
+    std::map<std::string, bool> known;
+    std::size_t longest = 0;
+    const auto add = [&](const std::string& title, const std::string& entry) {
+      if (title.empty() || !known.emplace(title, true).second) return;
+      const auto at = std::find(chart_.legend.begin(), chart_.legend.end(), title);
+      const auto place = at == chart_.legend.end() ? 0 : 1 + (at - chart_.legend.begin());
+      entries[{static_cast<std::size_t>(place), entries.size()}] = entry;
+      longest = std::max(longest, title.size());
+    };
     for (const std::vector<ChartPanel>& row : chart_.rows)
       for (const ChartPanel& panel : row) {
-        for (const ChartSeries& series : panel.series)
-          if (!series.title.empty() && known.insert(series.title).second) {
-            add_entries(series, legend_);
-            if (series.has_marks || !series.is_line) spacing_ = kMarkSpacing;
-          }
+        if (panel.cells)
+          for (std::size_t i = 0; i < panel.cells->grounds.size(); ++i)
+            if (std::find(panel.cells->ground.begin(), panel.cells->ground.end(),
+                          static_cast<int>(i)) != panel.cells->ground.end())
+              add(panel.cells->grounds[i].title, legend_entry(panel.cells->grounds[i]));
+        for (const ChartSeries& series : panel.series) {
+          if (!series.title.empty() && !series.are_dots && (series.has_marks || !series.is_line))
+            spacing_ = kMarkSpacing;
+          add(series.title, legend_entry(series));
+        }
         for (const ChartFill& fill : panel.fills)
-          if (!fill.title.empty() && known.insert(fill.title).second)
-            legend_.push_back(fmt::format("NaN with boxes fs solid noborder lc rgb '{}' title {}",
-                                          fill.colour, gnuplot_string(fill.title)));
+          add(fill.title, fmt::format("NaN with boxes fs solid noborder lc rgb '{}' title {}",
+                                      fill.colour, gnuplot_string(fill.title)));
       }
-    for (const std::string& title : known)
-      if (title.size() > kLong) columns_ = 1;
-    columns_ = std::min(canvas_.columns(columns_), std::max<std::size_t>(known.size(), 1));
-  }
-
-  static void add_entries(const ChartSeries& series, std::vector<std::string>& entries) {
-    const std::string title = " title " + gnuplot_string(series.title);
-    entries.push_back("NaN " + layer_of(series) + title);
-  }
-
-  static std::string layer_of(const ChartSeries& series) {
-    const Look& look = series.look;
-    if (series.is_line && series.has_marks)
-      return fmt::format("with linespoints lw {:.3g}{} pt {} ps {:.2f}*mark lc rgb '{}'",
-                         look.width, dashes_of(look), point_type(look), look.size, look.colour);
-    if (series.is_line) return line_of(look);
-    if (!series.error.empty())
-      return fmt::format("using 1:2:3 with yerrorbars pt {} ps {:.2f}*mark lw 0.7 lc rgb '{}'",
-                         point_type(look), look.size, look.colour);
-    return mark_of(look);
+    for (const auto& [place, entry] : entries) legend_.push_back(entry);
+    if (longest > kLong) columns_ = 1;
+    if (longest <= kShort && entries.size() > kMany) columns_ = 3;
+    columns_ = std::min(canvas_.columns(columns_), std::max<std::size_t>(entries.size(), 1));
   }
 
   // Whether the row below has the same horizontal axes, and names them.
@@ -156,7 +153,7 @@ class ChartPicture {
     const std::vector<ChartPanel>& panels = chart_.rows[row];
     const auto count = static_cast<double>(panels.size());
     const double beside = count > 1.0 && is_alike(panels[i].y, panels[1 - i].y) ? kBeside : kNamed;
-    const double width = (canvas_.width - kLeft - kRight - (count - 1.0) * beside) / count;
+    const double width = (canvas_.width - kLeft - right_ - (count - 1.0) * beside) / count;
     return {kLeft + static_cast<double>(i) * (width + beside), width, beside};
   }
 
@@ -207,30 +204,34 @@ class ChartPicture {
     return letters - std::min(letters, unit.empty() ? 0 : unit.size() + 3);
   }
 
-  // The values along the axis of all panels that share it.
-  std::vector<double> across_of(std::size_t row, std::size_t i) const {
-    std::vector<double> values;
-    const ChartAxis& own = chart_.rows[row][i].x;
-    for (const std::vector<ChartPanel>& panels : chart_.rows)
-      for (const ChartPanel& panel : panels)
-        if (is_alike(panel.x, own)) {
-          const std::vector<double> more = values_of(panel, &ChartSeries::x, false);
-          values.insert(values.end(), more.begin(), more.end());
-        }
-    return values;
+  // Where the dots of every panel are, if they are drawn as pixels. A picture in which each was a
+  // shape would be megabytes large; but pixels are evenly spaced, which a logarithmic axis is not.
+  void lay_out_dots() {
+    const bool fit = std::none_of(axes_.begin(), axes_.end(), [](const PanelAxes& axes) {
+      return axes.has_dots() && (axes.x.is_log() || axes.y.is_log());
+    });
+    if (request_.file.ends_with(".png") || !fit) return;
+    std::size_t k = axes_.size();
+    for (std::size_t row = chart_.rows.size(); row-- > 0;)
+      for (std::size_t i = chart_.rows[row].size(); i-- > 0;) {
+        const PanelAxes& axes = axes_[--k];
+        if (!axes.has_dots()) continue;
+        const auto pixels = [](double length) {
+          return std::max(1, static_cast<int>(kPixels * length / kSheet));
+        };
+        bands_.push_back({&axes, pixels(across(row, i).width),
+                          pixels(stretch_ * axes.panel->height), band_height_});
+        band_height_ += bands_.back().height;
+        band_width_ = std::max(band_width_, bands_.back().width);
+      }
   }
 
   void draw(std::size_t row, std::size_t i, double top) {
     const std::vector<ChartPanel>& panels = chart_.rows[row];
     const ChartPanel& panel = panels[i];
+    const PanelAxes& axes = axes_[drawn_++];
+    const ShownAxis &x = axes.x, &y = axes.y;
     const auto [left, width, beside] = across(row, i);
-    const std::vector<double> along = across_of(row, i);
-    const std::vector<double> up = values_of(panel, &ChartSeries::y, true);
-    const bool is_first = row == 0 && i == 0;
-    const ShownAxis x(request_of(panel.x, along, request_.x), panel.x.unit, along,
-                      panel.x.path.empty() ? 0.02 : 0.0, panel.x.from_zero);
-    const ShownAxis y(request_of(panel.y, up, is_first ? request_.y : AxisRequest{}), panel.y.unit,
-                      up, 0.06, panel.y.from_zero);
     script_.command("unset label\nunset arrow\nunset object\nunset key");
     const double height = stretch_ * panel.height;
     set_margins(script_, {.left = left / kSheet,
@@ -238,14 +239,39 @@ class ChartPicture {
                           .bottom = 1.0 - (top + height) / total_,
                           .top = top / total_});
     set_horizontal(x, row, i);
-    y.set_vertical(script_, tics_within(1.6 * height, height < 2.0 ? 3 : 6));
+    y.set_vertical(script_,
+                   tics_within(height < kHigh ? 1.6 * height : height, height < 2.0     ? 3
+                                                                       : height < kHigh ? 6
+                                                                                        : 8));
     if (i == 0 || !is_alike(panel.y, panels[i - 1].y)) {
       const std::string name = in_two_lines(panel.y.name, letters_within(height, y.unit()));
       const double from_axis = name.find('\n') == std::string::npos ? 1.9 : 2.34;
       name_vertical_axis(script_, name, y.unit(), (left - from_axis) / kSheet);
     }
     draw_ground(panel, x, y);
-    plot(row, i, x, y);
+    const bool is_svg = request_.file.ends_with(".svg");
+    std::vector<std::string> layers = cell_layers(axes, is_svg, script_);
+    const auto add = [&](const std::vector<std::string>& more) {
+      layers.insert(layers.end(), more.begin(), more.end());
+    };
+    write_names(axes, width, height, request_.labels, script_);
+    add(has_pixels() ? pixel_layers(axes) : dot_layers(axes, kDot, script_));
+    add(curve_layers(axes, script_));
+    script_.plot(layers);
+  }
+
+  // The whole canvas, placed so that this panel's part lies over the axes, which cut off the rest.
+  std::vector<std::string> pixel_layers(const PanelAxes& axes) const {
+    for (const Band& band : bands_) {
+      if (band.axes != &axes) continue;
+      const double dx = axes.x.range().span() / band.width,
+                   dy = axes.y.range().span() / band.height;
+      return {fmt::format(
+          "pixels binary filetype=png origin=({:.12g},{:.12g}) dx={:.12g} "
+          "dy={:.12g} with rgbalpha",
+          axes.x.range().low + 0.5 * dx, axes.y.range().low + (0.5 - band.below) * dy, dx, dy)};
+    }
+    return {};
   }
 
   void set_horizontal(const ShownAxis& x, std::size_t row, std::size_t i) {
@@ -296,59 +322,34 @@ class ChartPicture {
           fmt::format("set label {} at graph 0.5, graph 0.5 center", gnuplot_string(panel.remark)));
   }
 
-  void plot(std::size_t row, std::size_t i, const ShownAxis& x, const ShownAxis& y) {
-    const ChartPanel& panel = chart_.rows[row][i];
-    std::vector<std::string> layers;
-    for (std::size_t k = 0; k < panel.series.size(); ++k) {
-      const ChartSeries& series = panel.series[k];
-      const std::string name = fmt::format("row{}_{}_series{}", row + 1, i + 1, k + 1);
-      script_.data(name, table_of(series, x, y));
-      layers.push_back("$" + name + " " + layer_of(series));
-    }
-    script_.plot(layers);
-  }
-
   // In axes of its own, invisible and as wide as the picture: gnuplot makes no legend wider than
-  // its axes.
+  // its axes. It takes letters to be narrower than they are, so three more belong to every title.
   void draw_legend() {
     if (legend_.empty()) return;
     script_.command(
-        "unset label\nunset arrow\nunset object\nunset border\nunset tics\nunset x2tics");
+        "unset label\nunset arrow\nunset object\nunset border\nunset tics\nunset x2tics\nunset "
+        "colorbox");
     script_.command(
         "unset xlabel\nunset x2label\nunset logscale\nset xrange [0:1]\nset yrange [0:1]");
-    set_margins(script_, {.left = kLeft / kSheet, .right = kRight / kSheet, .bottom = 0, .top = 0});
+    set_margins(script_, {.left = kEdge, .right = kEdge, .bottom = 0, .top = 0});
     script_.command(fmt::format(
         "set key at screen {:.4g}, screen {:.4g}*body center bottom horizontal maxcols "
-        "{} Left reverse samplen 2 spacing {:.4g}*legend_line font small",
-        0.5 * (canvas_.width + kLeft - kRight) / canvas_.width, 0.08 / total_, columns_, spacing_));
+        "{} width 3 Left reverse samplen 2 spacing {:.4g}*legend_line font small",
+        0.5 * (canvas_.width + kLeft - right_) / canvas_.width, 0.08 / total_, columns_, spacing_));
     script_.plot(legend_);
-  }
-
-  static PlotTable table_of(const ChartSeries& series, const ShownAxis& x, const ShownAxis& y) {
-    PlotTable table;
-    // Long curves as the band between their extremes.
-    if (series.is_line && series.x.size() > kMostPoints && series.error.empty()) {
-      DrawnCurve curve;
-      for (std::size_t i = 0; i < series.x.size(); ++i)
-        curve.push_back({x.of(series.x[i]), y.of(series.y[i])});
-      return graze::table_of(curve, 1.0, 1.0);
-    }
-    for (std::size_t i = 0; i < series.x.size(); ++i) {
-      const double across = x.of(series.x[i]), up = y.of(series.y[i]);
-      if (series.error.empty())
-        table.row({across, up});
-      else
-        table.row({across, up, y.factor() * series.error[i]});
-    }
-    return table;
   }
 
   const PictureRequest& request_;
   const Chart& chart_;
+  std::vector<PanelAxes> axes_;  // of all panels
   Canvas canvas_;
   GnuplotScript script_;
   std::vector<std::string> legend_;
   std::size_t columns_ = 2;
+  double right_ = kRight;
+  std::size_t drawn_ = 0;
+  std::vector<Band> bands_;
+  int band_width_ = 0, band_height_ = 0;
   double total_ = 0.0, stretch_ = 1.0, spacing_ = 1.0;
 };
 
@@ -357,7 +358,8 @@ class ChartPicture {
 void draw_chart(const PictureRequest& request, const RunInfo& info, const Chart& chart) {
   ChartPicture picture(request, info, chart);
   const GnuplotScript script = picture.script();
-  draw_picture(request, info, script, picture.canvas());
+  if (!picture.has_pixels()) return draw_picture(request, info, script, picture.canvas());
+  draw_picture(request, info, script, picture.canvas(), picture.dots());
 }
 
 }  // namespace graze

@@ -21,7 +21,7 @@ std::string plain_font(std::string family) {
 constexpr double kWidth = 12.0, kPoints = 8.0;
 
 // Of the sheet, cm.
-double width_of(const PictureRequest& request) {
+double sheet_width(const PictureRequest& request) {
   if (request.size) return 0.1 * request.size->width;
   return request.style == PictureStyle::kSlide ? 2.0 * kWidth : kWidth;
 }
@@ -123,13 +123,13 @@ Canvas canvas_of(const PictureRequest& request, const RunInfo& info, double natu
   if (request.font.points) {
     canvas.scale = *request.font.points / kPoints;
   } else {
-    canvas.scale = width_of(request) / kWidth;
+    canvas.scale = sheet_width(request) / kWidth;
     // Words that would not have their room are smaller.
     if (has_height)
       canvas.scale =
           std::min(canvas.scale, sheet / (natural + caption_height(request, info, kWidth)));
   }
-  canvas.width = width_of(request) / canvas.scale;
+  canvas.width = sheet_width(request) / canvas.scale;
   canvas.caption = caption_height(request, info, canvas.width);
   canvas.laid_out = canvas.height = natural;
   if (has_height) canvas.height = std::max(sheet / canvas.scale - canvas.caption, kLeast);

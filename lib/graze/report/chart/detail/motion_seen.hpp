@@ -20,6 +20,10 @@ struct SeenStop {
   double place = 0.0;  // m
 };
 
+// Whether it is near what the motion spans, or so far off that axes that show both would press the
+// motion flat.
+bool is_near(const SeenStop& stop, const AxisRange& motion);
+
 struct SeenImpact {
   double time = 0.0, place = 0.0;    // s, m
   double before = 0.0, after = 0.0;  // velocity, m/s

@@ -4,7 +4,6 @@
 
 #include <string>
 
-#include "graze/assembly/system_family.hpp"
 #include "graze/record/detail/diagram_record.hpp"
 #include "graze/record/detail/loci_record.hpp"
 #include "graze/record/detail/map_record.hpp"
@@ -24,34 +23,28 @@ void check_map_page(const std::string& file, const Plane& plane);
 
 // All throw FileError, leaving the file as it was, where it cannot be written.
 
-// The phase portraits of the orbits found; behind each its motion and multipliers.
-void write_page(const std::string& file, const OrbitRecord& record);
+// `scene`: the one in force.
 
-// The branches over the parameter. `family`: the systems that they are traced in.
-void write_page(const std::string& file, const BranchRecord& record, const SystemFamily& family);
+// The phase portraits of the orbits found; behind each its motion and multipliers.
+void write_page(const std::string& file, const OrbitRecord& record, const Scene& scene);
+
+// The branches over the parameter.
+void write_page(const std::string& file, const BranchRecord& record, const Scene& scene);
 
 // The sweep, and the branches over it.
-void write_page(const std::string& file, const DiagramRecord& record, const SystemFamily& family);
+void write_page(const std::string& file, const DiagramRecord& record, const Scene& scene);
 
 // The cells of the map, each with what it settles on and the command that follows it, the motions
-// of some, and the loci over them. `scene`: the one in force.
+// of some, and the loci over them.
 void write_page(const std::string& file, const MapRecord& record, const Scene& scene);
 
-// The recorded samples over time, as draw_simulation (pictures.hpp) shows them.
+// The recorded samples over time, as motion_chart (charts.hpp) shows them.
 void write_page(const std::string& file, const SimulationRecord& record);
 
 // The plane of two parameters with the loci, over what is stable where, if that was looked for.
-// `scene`: the one in force.
 void write_page(const std::string& file, const LociRecord& record, const Scene& scene);
 
 // What two scenes have in common over a plane. `scene`: the first of them.
 void write_page(const std::string& file, const ComparisonMapRecord& record, const Scene& scene);
-
-// Charts (report/chart) of the results, with tables of their numbers.
-void write_page(const std::string& file, const FitRecord& record);
-void write_page(const std::string& file, const CostRecord& record);
-void write_page(const std::string& file, const ComparisonRecord& record);
-void write_page(const std::string& file, const SensitivityRecord& record);
-void write_page(const std::string& file, const RunDiagramRecord& record);
 
 }  // namespace graze

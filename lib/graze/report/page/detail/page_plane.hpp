@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "graze/bifurcation/loci/orbit_loci.hpp"
+#include "graze/report/chart/detail/map_legend.hpp"
 #include "graze/report/json/detail/json_value.hpp"
-#include "graze/report/picture/detail/map_legend.hpp"
-#include "graze/report/picture/detail/picture_cells.hpp"
 #include "graze/scene/scene.hpp"
 #include "graze/study/plane/detail/plane.hpp"
 

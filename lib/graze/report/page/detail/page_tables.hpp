@@ -12,6 +12,10 @@ namespace graze {
 // "1.05 mm" of 1.05e-3 m; a dash of what is not finite.
 std::string measured_text(double value, const std::string& si_unit, int digits = 6);
 
+template <class Record>
+std::vector<PageTable> page_tables(const Record&) {
+  return {};
+}
 std::vector<PageTable> page_tables(const FitRecord& record);
 std::vector<PageTable> page_tables(const CostRecord& record);
 std::vector<PageTable> page_tables(const ComparisonRecord& record);

@@ -1,7 +1,6 @@
 // Looks (appearance/looks.hpp) in gnuplot's words.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -23,8 +22,5 @@ void add_marks(std::vector<std::string>& layers, const std::string& table, const
 
 // gnuplot's number of the mark.
 int point_type(const Look& look);
-
-// Marks shrink as they crowd: the size that suits this many.
-double crowded_mark_size(std::size_t count);
 
 }  // namespace graze

@@ -7,22 +7,27 @@
 #include <utility>
 #include <vector>
 
-#include "graze/report/picture/detail/branch_lines.hpp"
 #include "graze/report/picture/gnuplot.hpp"
 
 namespace graze {
 
+// What the axes of a panel span, in their own units.
+struct LabelPlane {
+  AxisRange x, y;
+  bool x_is_log = false, y_is_log = false;
+};
+
 class LabelRoom {
  public:
   // A panel so wide and high, cm of a picture 12 cm wide, with these axes.
-  LabelRoom(const PicturePlane& plane, double width, double height);
+  LabelRoom(const LabelPlane& plane, double width, double height);
 
   // What is there already, in the units of the axes.
   void add_line(double x0, double y0, double x1, double y1);
   void add_dot(double x, double y);
   void add_mark(double x, double y);
-  // Lines of text about a place.
-  void take(const std::vector<std::string>& lines, double x, double y);
+  // Writes lines of text about a place, which take their room there.
+  void write_over(GnuplotScript& script, const std::string& lines, double x, double y);
 
   // Words stand on white from here on, to be read on any ground.
   void stand_on_white() { is_on_ground_ = true; }
@@ -64,14 +69,14 @@ class LabelRoom {
   static Leader leader_to(const Box& box, double x, double y);
   bool meets_label(const Leader& leader) const;
 
-  double cm_x(double x) const { return width_ * plane_.across(x); }
-  double cm_y(double y) const { return height_ * plane_.up(y); }
+  double cm_x(double x) const { return width_ * plane_.x.part(x, plane_.x_is_log); }
+  double cm_y(double y) const { return height_ * plane_.y.part(y, plane_.y_is_log); }
   void fill(const Box& box, unsigned char with);
   std::optional<double> cost_of(const Box& box) const;
   std::optional<Found> best_near(const std::string& text, double x, double y, bool on_curve) const;
   void put(GnuplotScript& script, const std::string& text, const Found& found);
 
-  PicturePlane plane_;
+  LabelPlane plane_;
   double width_, height_;
   int columns_, rows_;
   bool is_crowded_ = false, is_on_ground_ = false;

@@ -1,4 +1,4 @@
-#include "graze/report/picture/detail/branch_lines.hpp"
+#include "graze/report/chart/detail/branch_lines.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,40 +43,33 @@ void align(const Node& before, Node& node) {
 
 class LineMaker {
  public:
-  explicit LineMaker(const PicturePlane& plane) : plane_(plane) {}
+  LineMaker(double across, double up) : across_(across), up_(up) {}
 
   void add(std::size_t index, const OrbitBranch& branch, const DiagramCurve& curve);
   BranchLines take() { return std::move(made_); }
 
  private:
-  Node node(const OrbitBranchPoint& point, const std::vector<double>& heights, int index) const;
   double distance(const Node& a, const Node& b) const;
   void add_special(const SpecialPoint& special, int index, const std::vector<double>& heights,
                    std::vector<Node>& nodes);
   void insert(std::vector<Node>& nodes, Node& special) const;
   void draw(const std::vector<Node>& nodes, std::size_t j, LineKind first);
 
-  const PicturePlane& plane_;
+  double across_, up_;  // what the axes span
   std::size_t branch_ = 0;
   BranchLines made_;
 };
 
-Node LineMaker::node(const OrbitBranchPoint& point, const std::vector<double>& heights,
-                     int index) const {
-  Node node{plane_.x_factor * point.value, heights, kind_of(point.orbit), index};
-  for (double& y : node.y) y *= plane_.y_factor;
-  return node;
-}
-
 double LineMaker::distance(const Node& a, const Node& b) const {
-  return std::hypot((a.x - b.x) / plane_.x.span(), (a.y.front() - b.y.front()) / plane_.y.span());
+  return std::hypot((a.x - b.x) / across_, (a.y.front() - b.y.front()) / up_);
 }
 
 void LineMaker::add(std::size_t index, const OrbitBranch& branch, const DiagramCurve& curve) {
   branch_ = index;
   std::vector<Node> nodes;
   for (std::size_t k = 0; k < branch.points.size(); ++k) {
-    nodes.push_back(node(branch.points[k], curve.points[k], static_cast<int>(k)));
+    const OrbitBranchPoint& point = branch.points[k];
+    nodes.push_back({point.value, curve.points[k], kind_of(point.orbit), static_cast<int>(k)});
     if (k > 0) align(nodes[k - 1], nodes[k]);
   }
   if (nodes.empty()) return;
@@ -98,8 +91,7 @@ void LineMaker::add(std::size_t index, const OrbitBranch& branch, const DiagramC
 
 void LineMaker::add_special(const SpecialPoint& special, int index,
                             const std::vector<double>& heights, std::vector<Node>& nodes) {
-  Node place = node(special.at, heights, -1 - index);
-  place.kind.reset();
+  Node place{special.at.value, heights, {}, -1 - index};
   insert(nodes, place);
   // One mark is enough for all that a chatter shows.
   if (special.at.orbit.sticks() && place.y.size() > 1) place.y.resize(1);
@@ -165,8 +157,8 @@ void LineMaker::draw(const std::vector<Node>& nodes, std::size_t j, LineKind fir
 }  // namespace
 
 BranchLines branch_lines(const std::vector<OrbitBranch>& branches,
-                         const std::vector<DiagramCurve>& curves, const PicturePlane& plane) {
-  LineMaker maker(plane);
+                         const std::vector<DiagramCurve>& curves, double across, double up) {
+  LineMaker maker(across, up);
   for (std::size_t i = 0; i < branches.size(); ++i) maker.add(i, branches[i], curves[i]);
   return maker.take();
 }

@@ -8,26 +8,13 @@
 #include <vector>
 
 #include "graze/record/detail/diagram_record.hpp"
-#include "graze/report/picture/picture_style.hpp"
 
 namespace graze {
-
-// Axes of the picture: SI values times these factors, and what the axes span in their own units.
-struct PicturePlane {
-  double x_factor = 1.0, y_factor = 1.0;
-  AxisRange x, y;
-  bool x_is_log = false, y_is_log = false;
-
-  // Where a point stands between the axes' ends, 0 to 1.
-  double across(double at) const { return x.part(at, x_is_log); }
-  double up(double at) const { return y.part(at, y_is_log); }
-};
 
 // In the order in which they are drawn: what is seen in an experiment lies on top.
 enum LineKind : std::size_t { kVirtualLine, kOpenLine, kUnstableLine, kStableLine, kLineKinds };
 
-// A piece of a branch of one kind, in the units of the axes; of a single node where the branch is a
-// single point.
+// A piece of a branch of one kind, SI; of a single node where the branch is a single point.
 struct BranchLine {
   struct Node {
     double x = 0.0, y = 0.0;
@@ -40,7 +27,7 @@ struct BranchLine {
   bool is_dot() const { return nodes.size() == 1; }
 };
 
-// A special point as it is marked, in the units of the axes.
+// A special point as it is marked, SI.
 struct BranchMark {
   std::size_t branch = 0, special = 0;  // indices from 0
   double x = 0.0;
@@ -52,8 +39,8 @@ struct BranchLines {
   std::vector<BranchMark> marks;
 };
 
-// `curves`: one a branch.
+// `curves`: one a branch. Distances along a branch are measured in parts of what the axes span, SI.
 BranchLines branch_lines(const std::vector<OrbitBranch>& branches,
-                         const std::vector<DiagramCurve>& curves, const PicturePlane& plane);
+                         const std::vector<DiagramCurve>& curves, double across, double up);
 
 }  // namespace graze

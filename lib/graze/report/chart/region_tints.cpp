@@ -1,11 +1,14 @@
-#include "graze/report/picture/detail/picture_regions.hpp"
+#include "graze/report/chart/detail/region_tints.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+
+#include "graze/report/appearance/looks.hpp"
 
 namespace graze {
 namespace {
@@ -122,67 +125,15 @@ std::optional<Room> room_for(const StableRegions& regions, int area,
   return best;
 }
 
-}  // namespace
-
-RegionTints::RegionTints(const StableRegions& regions, const PicturePlane& plane)
-    : regions_(regions), plane_(plane) {
-  const RegionPlace &first = regions.places.front(), &last = regions.places.back();
-  mirrored_x_ = last.value < first.value;
-  mirrored_y_ = last.second < first.second;
-  for (const RegionPlace& place : regions.places)
-    tints_.push_back(tint_of(place.stable, regions.period, regions.impacts));
-}
-
-double RegionTints::x(double column) const {
-  const double part = column / regions_.columns;
-  return plane_.x.low + plane_.x.span() * (mirrored_x_ ? 1.0 - part : part);
-}
-
-double RegionTints::y(double row) const {
-  const double part = row / regions_.rows;
-  return plane_.y.low + plane_.y.span() * (mirrored_y_ ? 1.0 - part : part);
-}
-
-int RegionTints::tint_at(int column, int row) const {
-  return tints_[static_cast<std::size_t>(row * regions_.columns + column)];
-}
-
-// Equal cells side by side are one box, and equal boxes one above the other.
-std::vector<RegionTints::Box> RegionTints::boxes() const {
-  std::vector<Box> list;
-  for (int row = 0; row < regions_.rows; ++row)
-    for (int first = 0; first < regions_.columns;) {
-      const int tint = tint_at(first, row);
-      int last = first;
-      while (last + 1 < regions_.columns && tint_at(last + 1, row) == tint) ++last;
-      const auto below = std::find_if(list.begin(), list.end(), [&](const Box& box) {
-        return box.end == row && box.first == first && box.last == last && box.tint == tint;
-      });
-      if (tint >= 0 && below != list.end())
-        ++below->end;
-      else if (tint >= 0)
-        list.push_back({first, last, row, row + 1, tint});
-      first = last + 1;
-    }
-  return list;
-}
-
-void RegionTints::write(GnuplotScript& script) const {
-  std::array<PlotTable, kTints> tables;
-  for (const Box& box : boxes()) {
-    const double left = x(box.first), right = x(box.last + 1), low = y(box.row), high = y(box.end);
-    tables[static_cast<std::size_t>(box.tint)].row({0.5 * (left + right), 0.5 * (low + high),
-                                                    std::min(left, right), std::max(left, right),
-                                                    std::min(low, high), std::max(low, high)});
-  }
-  for (std::size_t tint = 0; tint < kTints; ++tint)
-    if (!tables[tint].empty()) script.data(fmt::format("stable{}", tint), tables[tint]);
+// The motion that the loci are of, so many times its period and impacts: "(2,2)".
+std::string asked(const StableRegions& regions, int times) {
+  return name_of({AttractorKind::kOrbit, times * regions.period, times * regions.impacts});
 }
 
 // The asked motion and its doubled one have their own ground in every picture.
-std::string RegionTints::colour_of(int tint) const {
+std::string colour_of(const StableRegions& regions, int tint) {
   const auto of_motion = [&](int times, std::size_t other) -> std::string {
-    const Look* fixed = fixed_ground(asked(times));
+    const Look* fixed = fixed_ground(asked(regions, times));
     return fixed ? fixed->colour : other_grounds()[other];
   };
   switch (tint) {
@@ -203,36 +154,18 @@ std::string RegionTints::colour_of(int tint) const {
   }
 }
 
-// The outline, of the same colour, covers the hair of white that smoothed edges leave between two.
-std::string RegionTints::fill_of(int tint) const {
-  const std::string colour = colour_of(tint);
-  return fmt::format("lc rgb '{0}' lw 0.3 fs solid border lc rgb '{0}'", colour);
-}
-
-std::string RegionTints::asked(int times) const {
-  return name_of({AttractorKind::kOrbit, times * regions_.period, times * regions_.impacts});
-}
-
-std::vector<std::string> RegionTints::layers() const {
-  std::vector<std::string> layers;
-  for (int tint = 0; tint < kTints; ++tint)
-    if (std::find(tints_.begin(), tints_.end(), tint) != tints_.end())
-      layers.push_back(fmt::format("$stable{} with boxxyerror {} notitle", tint, fill_of(tint)));
-  return layers;
-}
-
-std::string RegionTints::tint_title(int tint) const {
+std::string title_of(const StableRegions& regions, int tint) {
   switch (tint) {
     case kAsked:
-      return asked(1) + " alone";
+      return asked(regions, 1) + " alone";
     case kDoubled:
-      return asked(2) + " alone";
+      return asked(regions, 2) + " alone";
     case kClear:
       return "no impact alone";
     case kAskedAndMore:
-      return asked(1) + " and others";
+      return asked(regions, 1) + " and others";
     case kSeveral:
-      return "several, no " + asked(1);
+      return "several, no " + asked(regions, 1);
     case kSticking:
       return "sticks alone";
     default:
@@ -240,35 +173,53 @@ std::string RegionTints::tint_title(int tint) const {
   }
 }
 
-std::vector<std::string> RegionTints::legend() const {
-  std::vector<std::string> entries;
-  for (int tint = 0; tint < kTints; ++tint)
-    if (std::find(tints_.begin(), tints_.end(), tint) != tints_.end())
-      entries.push_back(fmt::format("NaN with boxes {} title {}", fill_of(tint),
-                                    gnuplot_string(tint_title(tint))));
-  return entries;
-}
-
-void RegionTints::label(GnuplotScript& script, LabelRoom& room_for_words) const {
-  const std::size_t count = std::min(regions_.areas.size(), kMostLabels);
+// The largest areas that have room for it.
+void name_areas(const StableRegions& regions, ChartPanel& panel) {
+  const std::size_t count = std::min(regions.areas.size(), kMostLabels);
   for (std::size_t i = 0; i < count; ++i) {
-    std::vector<std::string> lines = lines_of(regions_.areas[i].stable, false);
+    std::vector<std::string> lines = lines_of(regions.areas[i].stable, false);
     if (lines.empty()) continue;
-    std::optional<Room> room = room_for(regions_, static_cast<int>(i), lines);
+    std::optional<Room> room = room_for(regions, static_cast<int>(i), lines);
     if (!room) {
-      lines = lines_of(regions_.areas[i].stable, true);
-      room = room_for(regions_, static_cast<int>(i), lines);
+      lines = lines_of(regions.areas[i].stable, true);
+      room = room_for(regions, static_cast<int>(i), lines);
     }
     if (!room) continue;
-    room_for_words.take(lines, x(room->column), y(room->row));
-    for (std::size_t k = 0; k < lines.size(); ++k) {
-      const double above = 0.5 * static_cast<double>(lines.size() - 1) - static_cast<double>(k);
-      script.command(
-          fmt::format("set label {} at {:.9g}, {:.9g} center offset 0, {:.3g} front "
-                      "font medium",
-                      gnuplot_string(lines[k]), x(room->column), y(room->row), above));
-    }
+    const auto at = [](const std::array<double, 2>& ends, double part) {
+      return ends[0] + (ends[1] - ends[0]) * part;
+    };
+    panel.names.push_back({ChartName::Of::kArea,
+                           fmt::format("{}", fmt::join(lines, "\n")),
+                           {{at(panel.cells->x, room->column / regions.columns),
+                             at(panel.cells->y, room->row / regions.rows)}}});
   }
+}
+
+}  // namespace
+
+RegionTints region_tints(const StableRegions& regions) {
+  RegionTints tints;
+  for (int tint = 0; tint < kTints; ++tint)
+    tints.grounds.push_back({title_of(regions, tint), colour_of(regions, tint)});
+  for (const RegionPlace& place : regions.places)
+    tints.of.push_back(tint_of(place.stable, regions.period, regions.impacts));
+  return tints;
+}
+
+void add_tints(const StableRegions& regions, ChartPanel& panel) {
+  const RegionPlace &first = regions.places.front(), &last = regions.places.back();
+  // Panels span what is asked for, of which a range may be given from its upper end.
+  const auto ends = [](const AxisRange& range, bool is_mirrored) {
+    return is_mirrored ? std::array{range.high, range.low} : std::array{range.low, range.high};
+  };
+  RegionTints tints = region_tints(regions);
+  panel.cells = ChartCells{.columns = static_cast<std::size_t>(regions.columns),
+                           .rows = static_cast<std::size_t>(regions.rows),
+                           .x = ends(panel.x.range, last.value < first.value),
+                           .y = ends(panel.y.range, last.second < first.second),
+                           .grounds = std::move(tints.grounds),
+                           .ground = std::move(tints.of)};
+  name_areas(regions, panel);
 }
 
 }  // namespace graze

@@ -8,7 +8,8 @@
 
 #include "graze/record/detail/comparison_record.hpp"
 #include "graze/record/detail/map_record.hpp"
-#include "graze/report/picture/detail/picture_cells.hpp"
+#include "graze/report/appearance/looks.hpp"
+#include "graze/report/chart/detail/chart_cells.hpp"
 
 namespace graze {
 

@@ -1,4 +1,4 @@
-#include "graze/report/picture/detail/map_legend.hpp"
+#include "graze/report/chart/detail/map_legend.hpp"
 
 #include <fmt/format.h>
 

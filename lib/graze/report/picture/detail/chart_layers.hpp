@@ -1,0 +1,42 @@
+// What a panel of a chart shows, as gnuplot's layers over axes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graze/report/chart/chart.hpp"
+#include "graze/report/picture/picture_style.hpp"
+
+namespace graze {
+
+// A panel with its axes, which it is drawn over, and what parts the names of its data from those of
+// other panels: "panel2_".
+struct PanelAxes {
+  const ChartPanel* panel;
+  ShownAxis x, y;
+  std::string prefix;
+
+  bool has_dots() const;
+};
+// Of all panels of a chart, row by row, as the request wants them.
+std::vector<PanelAxes> axes_of(const Chart& chart, const PictureRequest& request);
+// Whether two axes show the same, if over other ranges.
+bool is_alike(const ChartAxis& a, const ChartAxis& b);
+
+// How a series is drawn, without its data: "with lines lw 1.8 ..".
+std::string layer_of(const ChartSeries& series);
+// The same for a legend, with its title.
+std::string legend_entry(const ChartSeries& series);
+std::string legend_entry(const ChartCells::Ground& ground);
+
+// Each writes its data and returns layers. `is_svg`: cells may be shapes.
+std::vector<std::string> cell_layers(const PanelAxes& axes, bool is_svg, GnuplotScript& script);
+std::vector<std::string> curve_layers(const PanelAxes& axes, GnuplotScript& script);
+// Dots of this size, of gnuplot's points.
+std::vector<std::string> dot_layers(const PanelAxes& axes, double size, GnuplotScript& script);
+
+// Writes the names of the panel, so wide and high (cm), as far as they are wanted.
+void write_names(const PanelAxes& axes, double width, double height, LabelChoice choice,
+                 GnuplotScript& script);
+
+}  // namespace graze
