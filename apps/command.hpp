@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "graze/base/default_budget.hpp"
-#include "graze/record/detail/comparison_record.hpp"
-#include "graze/record/detail/map_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/record/run_picture.hpp"
 #include "graze/record/section.hpp"
 #include "graze/report/picture/picture_request.hpp"

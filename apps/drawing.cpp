@@ -4,15 +4,7 @@
 
 #include "graze/assembly/beam_shape.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/record/detail/comparison_record.hpp"
-#include "graze/record/detail/cost_record.hpp"
-#include "graze/record/detail/diagram_record.hpp"
-#include "graze/record/detail/fit_record.hpp"
-#include "graze/record/detail/loci_record.hpp"
-#include "graze/record/detail/map_record.hpp"
-#include "graze/record/detail/modes_record.hpp"
-#include "graze/record/detail/run_diagram_record.hpp"
-#include "graze/record/detail/sensitivity_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 
 namespace graze {
 namespace {

@@ -9,7 +9,7 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/bifurcation/loci/detail/restart.hpp"
-#include "graze/record/detail/loci_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/parameter.hpp"

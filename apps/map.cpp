@@ -9,7 +9,7 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/record/detail/loci_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/record/names/detail/map_names.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/page/detail/page.hpp"

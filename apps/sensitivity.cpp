@@ -6,7 +6,7 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/record/detail/sensitivity_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/parameter.hpp"

@@ -22,7 +22,7 @@ TEST_F(RunPictures, ShapesStandAtTheTimesAskedForWithinTheRun) {
   const std::string text = script(command + "0.4,0.1,0.4");
   EXPECT_LT(text.find("'t = 0.1 s'"), text.find("'t = 0.4 s'"));
   // At the tip, where the stop is 1.05 mm below, the beam is no lower.
-  for (const char* series : {"row1_1_series1", "row1_1_series2"}) {
+  for (const char* series : {"series1", "series2"}) {
     ASSERT_EQ(data(series).size(), 201U);
     EXPECT_NEAR(data(series).front().second, 0.0, 1e-12);  // clamped
     EXPECT_GE(data(series).back().second, -1.05 - 1e-9);
@@ -40,7 +40,7 @@ TEST_F(RunPictures, ForcesOfCompliantStopsAreDrawnThemselves) {
                               "--record none --show forces";
   script(command);
   const double k = 400.0, peak = k / std::sqrt(1.0 + k), pi = std::numbers::pi;
-  const std::vector<std::pair<double, double>> forces = data("row1_1_series1");
+  const std::vector<std::pair<double, double>> forces = data("series1");
   int peaks = 0;
   for (const auto& [time, force] : forces) {
     EXPECT_LE(force, peak * (1.0 + 1e-8)) << time;
@@ -51,7 +51,7 @@ TEST_F(RunPictures, ForcesOfCompliantStopsAreDrawnThemselves) {
   const double span = forces.back().first - forces.front().first;
   EXPECT_EQ(peaks, static_cast<int>(span / (pi + pi / std::sqrt(1.0 + k))));
   script(command + " --forces 100");
-  EXPECT_EQ(data("row1_1_series1").size(), 200U);
+  EXPECT_EQ(data("series1").size(), 200U);
 }
 
 // Windows that do not fit the period would let the means of what repeats beat.
@@ -60,7 +60,7 @@ TEST_F(RunPictures, MeansOfForcesRepeatWithTheForcing) {
   script("simulate " + scene("05_wagg_one_mode.toml") +
          " --set forcing.frequency=40 --duration 31 --amplitudes-from 30 --record none --show "
          "forces");
-  const std::vector<std::pair<double, double>> means = data("row1_1_series1");
+  const std::vector<std::pair<double, double>> means = data("series1");
   const double length =
       2.0 * (means.back().first - means.front().first) / static_cast<double>(means.size());
   const double each = 2.0 * std::numbers::pi / 40.0 / length;
@@ -80,11 +80,11 @@ TEST_F(RunPictures, ForcesOfManyStopsAreRowsInOneScale) {
                "={shape=[1.0], gap=" + std::to_string(10 * i) + ", restitution=0.5}'";
   script(command);
   // Two ends of 50 windows; the largest force is 0.9 of the distance between rows.
-  ASSERT_EQ(data("row1_1_series1").size(), 100U);
+  ASSERT_EQ(data("series1").size(), 100U);
   double largest = 0.0;
-  for (const auto& [time, level] : data("row1_1_series1")) largest = std::max(largest, level);
+  for (const auto& [time, level] : data("series1")) largest = std::max(largest, level);
   EXPECT_NEAR(largest, 1.9, 1e-9);
-  for (const auto& [time, level] : data("row1_1_series5")) EXPECT_EQ(level, 5.0);
+  for (const auto& [time, level] : data("series5")) EXPECT_EQ(level, 5.0);
   EXPECT_EQ(run_graze("simulate " + scene("04_impact_oscillator.toml") +
                       " --set stop=[] --show forces --plot x.png")
                 .code,
@@ -115,7 +115,7 @@ TEST_F(RunPictures, RecordedSamplesAreTheSameWithAPicture) {
   EXPECT_FALSE(std::getline(b, line_b));
   EXPECT_EQ(rows, 2000U);
   // Four hundred samples a forcing period, twelve of them.
-  EXPECT_GT(data("displacement1").size(), 4000U);
+  EXPECT_GT(data("displacement").size(), 4000U);
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ TEST(FrequencyInHertz, IsTheAxisOfPictures) {
   ASSERT_EQ(run.code, 0) << run.err;
   const std::string script = read_text(folder / "x.gp");
   EXPECT_NE(script.find("forcing frequency (Hz)"), std::string::npos) << script;
-  EXPECT_EQ(script.find("x2label"), std::string::npos) << script;
+  EXPECT_EQ(script.find("set x2label '"), std::string::npos) << script;
   EXPECT_EQ(script.find("rad/s"), std::string::npos) << script;
 }
 

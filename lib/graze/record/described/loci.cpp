@@ -1,4 +1,4 @@
-#include "graze/record/detail/loci_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -2,8 +2,7 @@
 
 #include "graze/record/described/detail/descriptions.hpp"
 #include "graze/record/described/detail/shared_parts.hpp"
-#include "graze/record/detail/comparison_record.hpp"
-#include "graze/record/detail/map_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/record/names/detail/comparison_names.hpp"
 #include "graze/record/names/detail/map_names.hpp"
 #include "graze/record/names/detail/sweep_names.hpp"

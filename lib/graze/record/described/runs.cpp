@@ -5,9 +5,8 @@
 
 #include "graze/record/described/detail/descriptions.hpp"
 #include "graze/record/described/detail/shared_parts.hpp"
-#include "graze/record/detail/run_diagram_record.hpp"
-#include "graze/record/detail/sensitivity_record.hpp"
 #include "graze/record/detail/share_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 
 namespace graze {
 namespace {

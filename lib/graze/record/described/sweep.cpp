@@ -5,7 +5,7 @@
 
 #include "graze/record/described/detail/descriptions.hpp"
 #include "graze/record/described/detail/shared_parts.hpp"
-#include "graze/record/detail/diagram_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/record/names/detail/sweep_names.hpp"
 
 namespace graze {

@@ -1,8 +1,6 @@
 #include "graze/record/stored/detail/record_text.hpp"
 
-#include "graze/record/detail/cost_record.hpp"
-#include "graze/record/detail/fit_record.hpp"
-#include "graze/record/detail/modes_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/record/stored/detail/record_fields.hpp"
 
 namespace graze {

@@ -1,7 +1,6 @@
 #include "graze/record/stored/detail/record_text.hpp"
 
-#include "graze/record/detail/run_diagram_record.hpp"
-#include "graze/record/detail/sensitivity_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/record/stored/detail/record_fields.hpp"
 
 namespace graze {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "graze/record/detail/comparison_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/record/names/detail/comparison_names.hpp"
 #include "graze/report/chart/charts.hpp"
 #include "graze/report/chart/detail/motion_seen.hpp"

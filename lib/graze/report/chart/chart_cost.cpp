@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graze/record/detail/cost_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/report/chart/charts.hpp"
 
 namespace graze {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "graze/record/detail/loci_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/record/names/detail/sweep_names.hpp"
 #include "graze/report/chart/charts.hpp"
 #include "graze/report/chart/detail/chart_looks.hpp"

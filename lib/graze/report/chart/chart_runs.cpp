@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "graze/assembly/probes.hpp"
-#include "graze/record/detail/run_diagram_record.hpp"
-#include "graze/record/detail/sensitivity_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/report/chart/charts.hpp"
 
 namespace graze {

@@ -8,15 +8,7 @@
 #include <iterator>
 
 #include "graze/record/described/detail/descriptions.hpp"
-#include "graze/record/detail/comparison_record.hpp"
-#include "graze/record/detail/cost_record.hpp"
-#include "graze/record/detail/diagram_record.hpp"
-#include "graze/record/detail/fit_record.hpp"
-#include "graze/record/detail/loci_record.hpp"
-#include "graze/record/detail/map_record.hpp"
-#include "graze/record/detail/modes_record.hpp"
-#include "graze/record/detail/run_diagram_record.hpp"
-#include "graze/record/detail/sensitivity_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/record/names/detail/kind_names.hpp"
 #include "graze/record/records.hpp"
 #include "graze/report/csv/detail/table_builder.hpp"

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "graze/record/detail/comparison_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/record/names/detail/comparison_names.hpp"
 #include "graze/report/json/detail/json_page.hpp"
 #include "graze/report/page/detail/page.hpp"

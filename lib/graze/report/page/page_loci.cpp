@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "graze/record/detail/loci_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/record/names/detail/kind_names.hpp"
 #include "graze/record/names/detail/sweep_names.hpp"
 #include "graze/report/chart/detail/region_tints.hpp"

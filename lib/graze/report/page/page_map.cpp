@@ -7,7 +7,7 @@
 #include "graze/assembly/initial_state.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/base/parallel.hpp"
-#include "graze/record/detail/map_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/record/names/detail/map_names.hpp"
 #include "graze/report/json/detail/json_document.hpp"
 #include "graze/report/json/detail/json_page.hpp"

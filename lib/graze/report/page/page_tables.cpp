@@ -7,11 +7,7 @@
 #include <limits>
 
 #include "graze/assembly/probes.hpp"
-#include "graze/record/detail/comparison_record.hpp"
-#include "graze/record/detail/cost_record.hpp"
-#include "graze/record/detail/fit_record.hpp"
-#include "graze/record/detail/run_diagram_record.hpp"
-#include "graze/record/detail/sensitivity_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/record/names/detail/sweep_names.hpp"
 #include "graze/report/chart/axis.hpp"
 #include "graze/report/json/detail/json_page.hpp"

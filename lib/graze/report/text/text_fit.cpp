@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "graze/record/detail/fit_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/report/text/detail/number_text.hpp"
 #include "graze/report/text/detail/sentences.hpp"
 #include "graze/report/text/detail/table.hpp"

@@ -4,7 +4,7 @@
 
 #include "graze/base/angle.hpp"
 #include "graze/base/detail/terminal_text.hpp"
-#include "graze/record/detail/modes_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/report/text/detail/text_units.hpp"
 #include "graze/report/text/text.hpp"
 

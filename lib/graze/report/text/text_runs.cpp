@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "graze/assembly/probes.hpp"
-#include "graze/record/detail/run_diagram_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/report/text/detail/sentences.hpp"
 #include "graze/report/text/detail/text_units.hpp"
 #include "graze/report/text/text.hpp"

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "graze/record/detail/map_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 
 namespace graze {
 

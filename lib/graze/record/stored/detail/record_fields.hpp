@@ -6,9 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "graze/record/detail/comparison_record.hpp"
-#include "graze/record/detail/diagram_record.hpp"
-#include "graze/record/detail/map_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/record/file/detail/fields.hpp"
 #include "graze/record/records.hpp"
 #include "graze/scene/reader.hpp"

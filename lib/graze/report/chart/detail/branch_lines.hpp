@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "graze/record/detail/diagram_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 
 namespace graze {
 

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "graze/record/detail/comparison_record.hpp"
-#include "graze/record/detail/map_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/report/appearance/looks.hpp"
 #include "graze/report/chart/detail/chart_cells.hpp"
 

@@ -4,9 +4,7 @@
 
 #include <string>
 
-#include "graze/record/detail/diagram_record.hpp"
-#include "graze/record/detail/loci_record.hpp"
-#include "graze/record/detail/map_record.hpp"
+#include "graze/record/detail/study_records.hpp"
 #include "graze/record/record_names.hpp"
 
 namespace graze {
