@@ -4,7 +4,6 @@
 #include "command.hpp"
 #include "graze/bifurcation/trace/detail/shown_branches.hpp"
 #include "graze/bifurcation/trace/orbit_branches.hpp"
-#include "graze/record/file/run_info.hpp"
 
 namespace graze {
 
@@ -16,8 +15,5 @@ std::optional<Shown> shown_of(std::optional<ShownQuantity> quantity, const std::
                               const std::vector<MeasuredPlace>& places);
 // That number of an orbit in the family, which has to outlive it; empty where none is shown.
 ShownNumber number_of(const std::optional<Shown>& shown, const SystemFamily& family);
-void note_shown(const BranchingOptions& command, RunInfo& info);
-// Whether and how far other branches are switched to.
-void note_following(const BranchingOptions& command, RunInfo& info);
 
 }  // namespace graze

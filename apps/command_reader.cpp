@@ -2,47 +2,84 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
+#include <memory>
+#include <type_traits>
+#include <variant>
 
 #include "command.hpp"
+#include "command_line.hpp"
 #include "graze/base/detail/terminal_text.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/record/file/run_info.hpp"
 #include "help_format.hpp"
-#include "option_groups.hpp"
 #include "session.hpp"
 #include "usage_errors.hpp"
 
 namespace graze {
 
+namespace {
+
+// Of the program, and of commands that only print.
+constexpr const char* kExample =
+    "orbit data/scenes/05_wagg_one_mode.toml --set forcing.frequency=40\n"
+    "graze COMMAND --help, or graze help COMMAND, lists the options of a command.";
+
+}  // namespace
+
 struct CommandReader::Parser {
   CLI::App app{"Graze: impacting flexible structures - motion, periodic orbits, branches", "graze"};
   std::optional<Command> parsed{};
   std::optional<std::string> answer{};  // of a command that only prints: help, version
+  std::vector<CommandDescription> commands{};
 
   // Throws what the parser throws, and InputError.
   void parse(const std::vector<std::string>& words);
+  // A command, which becomes what is parsed where it is the one given.
+  template <class Kind>
+  void add_command();
+  void add_answers();
 };
 
-namespace {
+template <class Kind>
+void CommandReader::Parser::add_command() {
+  const auto options = std::make_shared<Kind>();
+  CommandLine line(app);
+  describe(line, *options);
+  line.conclude();
+  const std::string name = line.description().name;
+  // One reader may read any number of commands.
+  line.app().preparse_callback([options, name](std::size_t) {
+    *options = Kind();
+    options->name = name;
+  });
+  line.app().callback([options, this] { parsed = *options; });
+  commands.push_back(line.description());
+}
 
-void add_answers(CLI::App& app, std::optional<std::string>& answer) {
-  CLI::App* help = app.add_subcommand("help", "Print what a command does, and its options");
-  const auto command = std::make_shared<std::string>();
-  help->add_option("COMMAND", *command, "One of the commands (default: a list of them)");
-  help->preparse_callback([command](std::size_t) { command->clear(); });
-  help->callback([&app, &answer, command] {
-    const CLI::App* asked = command->empty() ? &app : nullptr;
+void CommandReader::Parser::add_answers() {
+  const auto asked_for = std::make_shared<std::string>();
+  CommandLine help(app), version_word(app);
+  help.command("help", "Print what a command does, and its options", kExample);
+  help.file("COMMAND", *asked_for, "One of the commands (default: a list of them)");
+  help.app().preparse_callback([asked_for](std::size_t) { asked_for->clear(); });
+  help.app().callback([this, asked_for] {
+    const CLI::App* asked = asked_for->empty() ? &app : nullptr;
     for (const CLI::App* each : app.get_subcommands({}))
-      if (each->get_name() == *command) asked = each;
-    if (!asked) throw InputError(no_command(*command, app));
+      if (each->get_name() == *asked_for) asked = each;
+    if (!asked) throw InputError(no_command(*asked_for, app));
     // The program's own help() would be that of the command given, which is this one.
     answer = app.get_formatter()->make_help(
         asked, asked == &app ? "graze" : "graze " + asked->get_name(), CLI::AppFormatMode::Normal);
   });
-  CLI::App* version_word = app.add_subcommand("version", "Print the version");
-  version_word->callback([&answer] { answer = "graze " + version() + "\n"; });
-  for (CLI::App* added : {help, version_word}) added->get_help_ptr()->group(kOutputGroup);
+  version_word.command("version", "Print the version", kExample);
+  version_word.app().callback([this] { answer = "graze " + version() + "\n"; });
+  for (CommandLine* line : {&help, &version_word}) {
+    line->conclude();
+    commands.push_back(line->description());
+  }
 }
+
+namespace {
 
 // With short options written out, so that whoever reads the words later finds one name of each.
 std::vector<std::string> with_long_names(const std::vector<std::string>& words,
@@ -88,11 +125,12 @@ CommandReader::CommandReader() : parser_(std::make_unique<Parser>()) {
   app.formatter(std::make_shared<HelpFormat>());
   app.set_help_flag("-h,--help", "Print this help");
   app.require_subcommand(1);
-  app.footer(
-      footer("orbit data/scenes/05_wagg_one_mode.toml --set forcing.frequency=40\n"
-             "graze COMMAND --help, or graze help COMMAND, lists the options of a command."));
-  add_commands(app, parser_->parsed);
-  add_answers(app, parser_->answer);
+  app.footer(footer(kExample));
+  const auto add_all = [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
+    (parser_->add_command<Kinds>(), ...);
+  };
+  add_all(std::type_identity<Command>());
+  parser_->add_answers();
 }
 
 CommandReader::~CommandReader() = default;
@@ -103,52 +141,14 @@ Command CommandReader::read(const std::vector<std::string>& words) {
   } catch (const CLI::Success&) {
     parser_->parsed.reset();
   } catch (const CLI::ParseError& error) {
-    throw InputError(usage_sentence(words, parser_->app, error));
+    throw InputError(usage_sentence(words, parser_->app, parser_->commands, error));
   }
   if (!parser_->parsed) throw InputError("help and version are printed by the program alone");
   return *parser_->parsed;
 }
 
-namespace {
-
-CommandReader::Option told(const CLI::Option& option) {
-  CommandReader::Option told;
-  told.name = option.get_name(option.get_positional());
-  if (!option.get_positional()) told.name.erase(0, 2);
-  told.what = option.get_description();
-  told.default_value = option.get_default_str();
-  told.is_flag = option.get_expected_max() == 0;
-  told.takes_several = option.get_expected_max() > 1;
-  if (!option.get_snames().empty()) told.short_name = option.get_snames().front();
-  const std::string shown = with_placeholder(option);
-  if (const std::size_t blank = shown.find(' '); blank != std::string::npos)
-    told.placeholder = shown.substr(blank + 1);
-  told.choices = choices_of(option);
-  told.heading = option.get_group();
-  told.help = help_line(option);
-  told.is_required = option.get_required();
-  return told;
-}
-
-}  // namespace
-
-std::vector<CommandReader::Option> CommandReader::options(const std::string& command) const {
-  for (const Description& known : descriptions())
-    if (known.name == command) return known.options;
-  return {};
-}
-
-std::vector<CommandReader::Description> CommandReader::descriptions() const {
-  std::vector<Description> list;
-  for (const CLI::App* app : parser_->app.get_subcommands({})) {
-    Description command{
-        app->get_name(), app->get_description(), example_in(app->get_footer()), {}, {}};
-    for (const CLI::Option* option : app->get_options())
-      if (option != app->get_help_ptr())
-        (option->get_positional() ? command.files : command.options).push_back(told(*option));
-    list.push_back(std::move(command));
-  }
-  return list;
+const std::vector<CommandDescription>& CommandReader::descriptions() const {
+  return parser_->commands;
 }
 
 ParsedCommand parse_command_line(int argc, char** argv) {
@@ -161,7 +161,8 @@ ParsedCommand parse_command_line(int argc, char** argv) {
     return {std::nullopt, parser.app.exit(done) == 0 ? 0 : 2};
   } catch (const CLI::ParseError& error) {
     const auto& given = parser.app.get_subcommands();
-    std::cerr << "graze: " << terminal_line(usage_sentence(words, parser.app, error))
+    std::cerr << "graze: "
+              << terminal_line(usage_sentence(words, parser.app, parser.commands, error))
               << " (see graze " << (given.empty() ? "" : given.front()->get_name() + " ")
               << "--help)\n";
     return {std::nullopt, 2};

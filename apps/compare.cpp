@@ -2,17 +2,19 @@
 // parameters; a series of modes, each next to the one more.
 #include <fmt/format.h>
 
+#include <cstdio>
+
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/base/parallel.hpp"
-#include "graze/record/names/detail/comparison_names.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/detail/start_coordinate.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "journals.hpp"
+#include "option_notes.hpp"
 #include "session.hpp"
 #include "work_options.hpp"
 
@@ -22,9 +24,8 @@ namespace {
 constexpr double kComparedSamplesPerPeriod = 400.0;
 // A cell takes a tenth of a second and more, and half a kilobyte.
 constexpr double kMostCells = 4e6;
+constexpr int kMostComparedModes = 64;
 constexpr double kPeriodsRun = 50.0, kPeriodsShown = 4.0;
-
-bool is_over_plane(const CompareCommand& command) { return !command.parameter.empty(); }
 
 void check_options(const CompareCommand& command) {
   check_plot<ComparisonRecord>(command);
@@ -32,7 +33,7 @@ void check_options(const CompareCommand& command) {
     throw InputError(
         "compare: give what is compared, one of --against KEY=VALUE, --modes A:B and "
         "--sensitivity");
-  if (!is_over_plane(command)) {
+  if (!command.is_over_plane()) {
     for (const auto& [given, name] : {std::pair(command.journal.goes_on, "--resume"),
                                       std::pair(command.journal.restarts, "--restart-work"),
                                       std::pair(!command.journal.share.is_all(), "--shard")})
@@ -59,17 +60,6 @@ void set_comparison(const CompareCommand& command, CompareOptions& options) {
   options.first = command.first_impacts;
   options.within = command.within;
   options.stop = stop_signal(command);
-}
-
-void note_comparison(const CompareCommand& command, const CompareOptions& options, RunInfo& info) {
-  if (!command.against.empty())
-    info.options.emplace_back("against", fmt::format("{}", fmt::join(command.against, " ")));
-  if (command.most_modes > 0)
-    info.options.emplace_back("modes",
-                              fmt::format("{}:{}", command.fewest_modes, command.most_modes));
-  info.options.emplace_back("first", options.first);
-  info.options.emplace_back("within", options.within);
-  note_settling(options, info);
 }
 
 Scene comparable(const CompareCommand& command, const std::vector<std::string>& settings) {
@@ -144,7 +134,7 @@ int compare_motions(const CompareCommand& command) {
   }
   set_comparison(command, record.options);
   record.info = info_of_call(command, scenes.front());
-  note_comparison(command, record.options, record.info);
+  note_options(command, record.info);
   for (std::size_t i = 0; i < scenes.size(); ++i)
     for (const std::string& warning : system_warnings(scenes[i], assemble(scenes[i])))
       record.warnings.push_back(record.names[i] + ": " + warning);
@@ -181,8 +171,7 @@ int compare_over_plane(const CompareCommand& command) {
   record.x_unit = number_unit(one, options.x.name);
   record.y_unit = number_unit(one, options.y.name);
   record.shown = command.show;
-  note_plane(options, record.info);
-  note_comparison(command, options, record.info);
+  note_options(command, Told::In::kPieces, record.info);
   for (const auto& [name, scene] : {std::pair(record.one, &one), std::pair(record.other, &other)})
     for (const std::string& warning : system_warnings(*scene, assemble(*scene)))
       record.warnings.push_back(name + ": " + warning);
@@ -194,13 +183,25 @@ int compare_over_plane(const CompareCommand& command) {
   record.map = compare_over(one, other, options);
   options.progress = nullptr;
   if (!work.is_whole_here()) return work.conclude_part(record.map.stopped);
-  record.info.options.emplace_back("show", name_of(command.show));
-  record.info.options.emplace_back("max_seconds", command.max_seconds);
+  note_options(command, Told::In::kResult, record.info);
   record.outcome = comparison_map_outcome(record.map);
   return work.conclude(record, record.map.stopped, one);
 }
 
 }  // namespace
+
+void read_modes(const std::string& text, CompareCommand& command) {
+  int end = 0;
+  const bool read = std::sscanf(text.c_str(), "%9d:%9d%n", &command.fewest_modes,
+                                &command.most_modes, &end) == 2 &&
+                    end == static_cast<int>(text.size());
+  if (!read || command.fewest_modes < 1 || command.most_modes <= command.fewest_modes ||
+      command.most_modes > kMostComparedModes)
+    throw InputError(
+        fmt::format("--modes: '{}' is not allowed; give the fewest and the most modes, "
+                    "like 1:8, at most {}",
+                    text, kMostComparedModes));
+}
 
 int run(const CompareCommand& command) {
   if (command.sensitivity) {
@@ -211,7 +212,7 @@ int run(const CompareCommand& command) {
     return run_sensitivity(command);
   }
   check_options(command);
-  return is_over_plane(command) ? compare_over_plane(command) : compare_motions(command);
+  return command.is_over_plane() ? compare_over_plane(command) : compare_motions(command);
 }
 
 }  // namespace graze

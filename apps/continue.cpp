@@ -11,6 +11,7 @@
 #include "graze/scene/parameter.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "graze/study/sweep/sweep.hpp"
+#include "option_notes.hpp"
 #include "restart.hpp"
 #include "session.hpp"
 #include "work_options.hpp"
@@ -23,9 +24,7 @@ BranchOptions branch_options(const BranchingOptions& command) {
   options.impacts = command.impacts.value_or(1);
   options.response = command.measures() || options.impacts == 0;
   options.follow_depth = command.follows ? command.depth : 0;
-  options.from = command.from;
-  options.to = command.to;
-  options.max_step = command.max_step.value_or(0.0);
+  set_range(command, options);
   if (const auto fault = fault_in(options)) throw InputError(fault->text_of_program());
   options.keep_virtual = command.keep_virtual;
   // A number of impacts that was asked for is none of an orbit that closes a chatter.
@@ -35,11 +34,6 @@ BranchOptions branch_options(const BranchingOptions& command) {
   options.stop = options.finder.stop;
   options.progress = progress_line(command);
   return options;
-}
-
-void note_following(const BranchingOptions& command, RunInfo& info) {
-  info.options.emplace_back("follow", command.follows ? "all" : "none");
-  if (command.follows) info.options.emplace_back("depth", static_cast<long long>(command.depth));
 }
 
 std::optional<Shown> shown_of(std::optional<ShownQuantity> quantity, const std::string& at,
@@ -66,11 +60,6 @@ ShownNumber number_of(const std::optional<Shown>& shown, const SystemFamily& fam
     return shown_value({shown->quantity, 0}, place,
                        orbit_amplitudes(system, orbit, rows_of(place)));
   };
-}
-
-void note_shown(const BranchingOptions& command, RunInfo& info) {
-  if (command.curve) info.options.emplace_back("show", std::string(name_of(*command.curve)));
-  if (!command.curve_at.empty()) info.options.emplace_back("at", command.curve_at);
 }
 
 namespace {
@@ -151,19 +140,7 @@ int run(const ContinueCommand& command) {
   for (const double value : {command.from, command.to})
     with_parameter(scene, command.parameter, value);
   if (restart) note_values(*restart, {command.parameter}, record.info);
-  record.info.options.emplace_back("parameter", command.parameter);
-  record.info.options.emplace_back("from", command.from);
-  record.info.options.emplace_back("to", command.to);
-  if (command.max_step) record.info.options.emplace_back("max_step", *command.max_step);
-  if (command.closure_speed)
-    record.info.options.emplace_back("closure_speed", *command.closure_speed);
-  note_following(command, record.info);
-  if (command.measures()) record.info.options.emplace_back("amplitudes", true);
-  note_shown(command, record.info);
-  if (restart)
-    record_restart(command, record.info);
-  else
-    record_search(command, record.info);
+  note_options(command, record.info);
   record.warnings = system_warnings(scene, record.system);
   warn(command, record.warnings);
   prepare_output(command);

@@ -10,6 +10,7 @@
 #include "graze/report/text/text.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "graze/system/scale.hpp"
+#include "option_notes.hpp"
 #include "session.hpp"
 
 namespace graze {
@@ -57,10 +58,10 @@ int run(const CostCommand& command) {
   };
   // The flows take about half of the time.
   options.progress = [&](double part) { tell(0.5 * part); };
-  record.info.options.emplace_back("impacts", static_cast<long long>(options.impacts));
-  record.info.options.emplace_back("longest", options.longest);
-  record.info.options.emplace_back("closure_speed", options.closure_speed);
-  record.info.options.emplace_back("max_seconds", command.max_seconds);
+  CostCommand in_force = command;
+  in_force.duration = options.longest;
+  in_force.closure_speed = options.closure_speed;
+  note_options(in_force, record.info);
   prepare_output(command);
   record.costs = flow_costs(system, start, options);
   if (!options.stop.requested()) {

@@ -5,13 +5,13 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/record/names/detail/sweep_names.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "journals.hpp"
+#include "option_notes.hpp"
 #include "session.hpp"
 #include "work_options.hpp"
 
@@ -31,17 +31,6 @@ SweepOptions sweep_options(const DiagramCommand& command, const StopSignal& stop
   return options;
 }
 
-// What makes a difference to the sweep's rows.
-void note_rows(const DiagramCommand& command, const SweepOptions& options, RunInfo& info) {
-  info.options.emplace_back("parameter", command.parameter);
-  info.options.emplace_back("from", command.from);
-  info.options.emplace_back("to", command.to);
-  info.options.emplace_back("points", static_cast<long long>(command.points));
-  info.options.emplace_back("direction", name_of(command.direction));
-  note_settling(options, info);
-  if (command.measures()) info.options.emplace_back("amplitudes", true);
-}
-
 // Who names period or impacts means all such orbits.
 DiagramBranches wanted_branches(const DiagramCommand& command) {
   const bool names_them = command.period_given || command.impacts;
@@ -54,19 +43,6 @@ DiagramBranches wanted_branches(const DiagramCommand& command) {
   if (wanted == DiagramBranches::kAll && command.any_impacts)
     throw InputError("--impacts any: that is --branches found; of all give a number");
   return wanted;
-}
-
-void note_rest(const DiagramCommand& command, DiagramBranches wanted, RunInfo& info) {
-  info.options.emplace_back("section", name_of(command.section));
-  note_shown(command, info);
-  info.options.emplace_back("branches", name_of(wanted));
-  if (wanted == DiagramBranches::kAll) {
-    info.options.emplace_back("period", static_cast<long long>(command.period));
-    info.options.emplace_back("impacts", static_cast<long long>(command.impacts.value_or(1)));
-  }
-  if (wanted != DiagramBranches::kNone) note_following(command, info);
-  if (command.max_step) info.options.emplace_back("max_step", *command.max_step);
-  info.options.emplace_back("max_seconds", command.max_seconds);
 }
 
 // The branches; how that ended, or nothing where they are not wanted.
@@ -131,7 +107,9 @@ int run(const DiagramCommand& command) {
   const std::vector<MeasuredPlace> places = measured_places(scene, record.branches.system);
   record.branches.shown = shown_of(command.curve, command.curve_at, places);
   if (command.measures()) record.branches.amplitudes.places = places;
-  note_rows(command, options, record.branches.info);
+  DiagramCommand in_force = command;
+  in_force.branches = wanted;
+  note_options(in_force, Told::In::kPieces, record.branches.info);
   record.branches.warnings = system_warnings(scene, record.branches.system);
   warn(command, record.branches.warnings);
   prepare_output(command);
@@ -146,7 +124,7 @@ int run(const DiagramCommand& command) {
   record.swept = sweep(family, options);
   options.progress = nullptr;
   if (!work.is_whole_here()) return work.conclude_part(record.swept.stopped);
-  note_rest(command, wanted, record.branches.info);
+  note_options(in_force, Told::In::kResult, record.branches.info);
   const std::optional<Outcome> traced = add_branches(command, wanted, family, tracing, record);
   record.branches.outcome = diagram_outcome(record.swept, traced);
   const bool swept = record.swept.stopped == StopReason::kNone;

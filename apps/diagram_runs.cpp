@@ -7,6 +7,7 @@
 #include "graze/report/text/text.hpp"
 #include "graze/scene/detail/start_coordinate.hpp"
 #include "journals.hpp"
+#include "option_notes.hpp"
 #include "work_options.hpp"
 
 namespace graze {
@@ -39,14 +40,7 @@ int run_diagram_of_runs(const DiagramCommand& command, const Scene& scene) {
   record.duration = options.duration;
   record.stops = scene.stops.size();
   record.probes = scene.probes;
-  auto& noted = record.info.options;
-  noted.emplace_back("parameter", command.parameter);
-  noted.emplace_back("from", command.from);
-  noted.emplace_back("to", command.to);
-  noted.emplace_back("points", static_cast<long long>(command.points));
-  noted.emplace_back("duration", options.duration);
-  if (command.closure_speed) noted.emplace_back("closure_speed", *command.closure_speed);
-  noted.emplace_back("max_impacts", command.max_impacts);
+  note_options(command, Told::In::kPieces, record.info);
   record.warnings = system_warnings(scene, assemble(scene));
   warn(command, record.warnings);
   prepare_output(command);
@@ -59,7 +53,7 @@ int run_diagram_of_runs(const DiagramCommand& command, const Scene& scene) {
   const bool is_done = record.runs.size() == options.values.size();
   const StopReason stopped = is_done ? StopReason::kNone : options.stop.reason();
   if (!work.is_whole_here()) return work.conclude_part(stopped);
-  noted.emplace_back("max_seconds", command.max_seconds);
+  note_options(command, Told::In::kResult, record.info);
   record.outcome = run_diagram_outcome(record.runs, options.values.size(), stopped);
   return work.conclude(record, stopped, scene);
 }

@@ -58,32 +58,6 @@ std::string nothing_to_draw(const ComparisonRecord& record);
 std::string nothing_to_draw(const SensitivityRecord& record);
 std::string nothing_to_draw(const FitRecord& record);
 
-// What the pictures of a result have that may be asked for, besides title and style.
-struct PictureFeatures {
-  bool ranges = false;       // of the axes
-  bool scales = false;       // of the axes, logarithmic or in decibels
-  bool labels = false;       // beside special points and curves
-  bool multipliers = false;  // of branches
-};
-inline constexpr PictureFeatures kAllFeatures = {true, true, true, true};
-template <class Record>
-inline constexpr PictureFeatures kFeatures = {.ranges = true};
-template <>
-inline constexpr PictureFeatures kFeatures<CheckRecord> = {};
-template <>
-inline constexpr PictureFeatures kFeatures<ModesRecord> = {};
-template <>
-inline constexpr PictureFeatures kFeatures<OrbitRecord> = {};
-template <>
-inline constexpr PictureFeatures kFeatures<BranchRecord> = kAllFeatures;
-template <>
-inline constexpr PictureFeatures kFeatures<LociRecord> = {
-    .ranges = true, .scales = true, .labels = true};
-template <>
-inline constexpr PictureFeatures kFeatures<DiagramRecord> = kAllFeatures;
-template <>
-inline constexpr PictureFeatures kFeatures<MapRecord> = {.ranges = true, .labels = true};
-
 // Throws InputError where --plot is given and is no name of what is drawn of such records, or is to
 // show what their pictures do not have.
 void check_plot(const CommonOptions& command, const PictureFeatures& features);

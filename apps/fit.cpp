@@ -10,6 +10,7 @@
 #include "graze/record/detail/study_records.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
+#include "option_notes.hpp"
 #include "session.hpp"
 
 namespace graze {
@@ -36,20 +37,12 @@ void require_exact(const Scene& scene) {
                                   scene.hub ? "bulirsch-stoer" : "exact"));
 }
 
-void note_options(const FitCommand& command, const FitOptions& options, RunInfo& info) {
-  info.options.emplace_back("data", command.data);
+void note_fit(FitCommand command, const FitOptions& options, RunInfo& info) {
   for (const SoughtParameter& sought : options.parameters)
     info.options.emplace_back("parameter " + sought.name,
                               fmt::format("{}:{}", sought.low, sought.high));
-  if (!command.columns.empty())
-    info.options.emplace_back("column", fmt::format("{}", fmt::join(command.columns, ",")));
-  if (!command.sigmas.empty())
-    info.options.emplace_back("sigma", fmt::format("{}", fmt::join(command.sigmas, " ")));
-  info.options.emplace_back("algorithm", command.global ? "global" : "local");
-  info.options.emplace_back("max_evaluations", command.max_evaluations);
-  if (options.closure_speed) info.options.emplace_back("closure_speed", *options.closure_speed);
-  info.options.emplace_back("max_impacts", command.max_impacts);
-  info.options.emplace_back("max_seconds", command.max_seconds);
+  command.closure_speed = options.closure_speed;
+  note_options(command, info);
 }
 
 }  // namespace
@@ -74,7 +67,7 @@ int run(const FitCommand& command) {
   options.max_impacts = command.max_impacts;
   options.stop = stop_signal(command);
   options.progress = progress_line(command);
-  note_options(command, options, record.info);
+  note_fit(command, options, record.info);
   record.warnings = system_warnings(scene, assemble(scene));
   options.begins = [&] { prepare_output(command); };
   record.result = fit(scene, measurements, options);

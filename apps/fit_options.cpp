@@ -2,27 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
 #include <limits>
 #include <optional>
 
 #include "graze/base/errors.hpp"
+#include "option_values.hpp"
 
 namespace graze {
-namespace {
-
-std::optional<double> finite_number_in(const std::string& text) {
-  const char* first = text.data();
-  const char* const last = first + text.size();
-  if (first != last && *first == '+') ++first;
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(first, last, value);
-  if (error != std::errc() || end != last || !std::isfinite(value)) return {};
-  return value;
-}
-
-}  // namespace
 
 std::vector<SoughtParameter> sought_parameters(const std::vector<std::string>& words) {
   constexpr double kNoLimit = std::numeric_limits<double>::infinity();
@@ -33,9 +19,9 @@ std::vector<SoughtParameter> sought_parameters(const std::vector<std::string>& w
     if (sign != std::string::npos) {
       const std::string limits = word.substr(sign + 1);
       const std::size_t colon = limits.find(':');
-      const auto low = finite_number_in(limits.substr(0, colon));
+      const auto low = number_in(limits.substr(0, colon));
       const auto high =
-          colon == std::string::npos ? std::nullopt : finite_number_in(limits.substr(colon + 1));
+          colon == std::string::npos ? std::nullopt : number_in(limits.substr(colon + 1));
       if (!low || !high)
         throw InputError(
             fmt::format("--parameter: '{}' is not NAME=LOW:HIGH with two finite numbers, e.g. "
@@ -55,7 +41,7 @@ MeasurementOptions measurement_options(const FitCommand& command) {
   for (const std::string& word : command.sigmas) {
     const std::size_t sign = word.find('=');
     const std::string column = sign == std::string::npos ? "" : word.substr(0, sign);
-    const auto value = finite_number_in(sign == std::string::npos ? word : word.substr(sign + 1));
+    const auto value = number_in(sign == std::string::npos ? word : word.substr(sign + 1));
     if (!value || !(*value > 0.0))
       throw InputError(fmt::format(
           "--sigma: '{}' is not allowed; give a standard uncertainty above 0, alone or as "

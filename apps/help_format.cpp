@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "graze/report/text/text.hpp"
-#include "option_groups.hpp"
-#include "usage_errors.hpp"
+#include "options/option.hpp"
 
 namespace graze {
 namespace {
@@ -23,24 +22,35 @@ std::string lines_of(const std::string& text, std::size_t width) {
 
 }  // namespace
 
-std::string help_line(const CLI::Option& option) {
-  std::string text = option.get_description();
-  const std::vector<std::string> choices = choices_of(option);
+void order_headings(std::vector<std::string>& headings) {
+  const auto rank = [](const std::string& heading) {
+    const auto shared = {kSceneGroup, kNumericsGroup, kLongWorkGroup, kOutputGroup, kPicturesGroup};
+    const auto at = std::find(shared.begin(), shared.end(), heading);
+    return at == shared.end() ? -1 : static_cast<int>(at - shared.begin());
+  };
+  std::stable_sort(headings.begin(), headings.end(),
+                   [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+}
+
+std::string help_line(const OptionDescription& option) {
+  std::string text = option.what;
+  const std::vector<std::string>& choices = option.choices;
   const bool told = std::all_of(choices.begin(), choices.end(), [&](const std::string& choice) {
     return text.find(choice) != std::string::npos;
   });
   if (!told) text += fmt::format(" (one of {})", fmt::join(choices, ", "));
-  const std::string standard = option.get_default_str();
-  if (!standard.empty() && text.find("default") == std::string::npos)
-    text += fmt::format(" (default: {})", standard);
-  if (option.get_required()) text += " (required)";
-  if (!option.get_excludes().empty()) {
-    std::vector<std::string> others;
-    for (const CLI::Option* other : option.get_excludes()) others.push_back(other->get_name());
-    std::sort(others.begin(), others.end());
-    text += fmt::format("; not with {}", fmt::join(others, ", "));
-  }
+  if (!option.default_value.empty() && text.find("default") == std::string::npos)
+    text += fmt::format(" (default: {})", option.default_value);
+  if (option.is_required) text += " (required)";
+  if (!option.excludes.empty())
+    text += fmt::format("; not with --{}", fmt::join(option.excludes, ", --"));
   return text;
+}
+
+std::string footer(const std::string& example) {
+  return "Example: graze " + example +
+         "\nExit codes: 0 done; 2 usage or scene error; 3 numerics could not do it, what was\n"
+         "reached is printed; 4 file or system error; 130 interrupted.";
 }
 
 std::string HelpFormat::make_description(const CLI::App* app) const {
@@ -79,11 +89,12 @@ std::string HelpFormat::make_subcommand(const CLI::App* app) const {
 }
 
 std::string HelpFormat::make_option_opts(const CLI::Option* option) const {
-  return with_placeholder(*option).substr(option->get_name().size());
+  return option->get_positional() || option->get_type_size() == 0 ? ""
+                                                                  : " " + option->get_type_name();
 }
 
 std::string HelpFormat::make_option_desc(const CLI::Option* option) const {
-  return lines_of(help_line(*option), TextOptions{}.width - column_width_);
+  return lines_of(option->get_description(), TextOptions{}.width - column_width_);
 }
 
 }  // namespace graze

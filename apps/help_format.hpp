@@ -4,14 +4,18 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "command_description.hpp"
+
 namespace graze {
 
-// What --help says of an option, in one line.
-std::string help_line(const CLI::Option& option);
+// What --help says of an option, in one line: what it does, then the words that it takes, its
+// default and the options that it does not go with, where that does not tell them.
+std::string help_line(const OptionDescription& option);
 
-// What a command alone has comes first, what all have last. Lines of at most 100 characters; behind
-// what an option does stand the words that it takes, its default and the options that it does not
-// go with, where its description does not tell them.
+// What stands below the options of a command.
+std::string footer(const std::string& example);
+
+// What a command alone has comes first, what all have last. Lines of at most 100 characters.
 class HelpFormat : public CLI::Formatter {
  public:
   std::string make_description(const CLI::App* app) const override;

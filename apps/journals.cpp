@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+
 #include "graze/base/errors.hpp"
 #include "graze/record/detail/share_record.hpp"
 #include "graze/report/json/json.hpp"
@@ -15,6 +17,16 @@ std::filesystem::path journal_file(const std::string& folder, const Share& share
   const std::string name =
       share.is_all() ? "rows" : fmt::format("rows-{}-of-{}", share.part, share.of);
   return std::filesystem::path(folder) / (name + kJournalEnd);
+}
+
+void read_share(const std::string& text, Share& share) {
+  int end = 0;
+  const bool read = std::sscanf(text.c_str(), "%9d/%9d%n", &share.part, &share.of, &end) == 2 &&
+                    end == static_cast<int>(text.size());
+  if (!read || share.part < 1 || share.of < share.part)
+    throw InputError(fmt::format(
+        "--shard: '{}' is not allowed; give the share's number and how many there are, like 3/8",
+        text));
 }
 
 void check_journal_options(const CommonOptions& command, const JournalOptions& options) {

@@ -15,6 +15,7 @@
 #include "graze/scene/parameter.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "loci_options.hpp"
+#include "option_notes.hpp"
 #include "restart.hpp"
 #include "session.hpp"
 #include "work_options.hpp"
@@ -47,29 +48,6 @@ void start_from(const Restart& restart, const ContinueCommand& command, LociOpti
   if (std::find(options.kinds.begin(), options.kinds.end(), kind) == options.kinds.end())
     throw InputError(fmt::format("--locus: {} lies on a locus of {}; give --locus {} or all",
                                  restart.at.id, label_of(kind), label_of(kind)));
-}
-
-void record_options(const ContinueCommand& command, RunInfo& info) {
-  std::string kinds;
-  for (const std::string& label : command.locus) kinds += (kinds.empty() ? "" : ",") + label;
-  info.options.emplace_back("locus", kinds);
-  info.options.emplace_back("parameter", command.parameter);
-  info.options.emplace_back("from", command.from);
-  info.options.emplace_back("to", command.to);
-  info.options.emplace_back("second", command.second);
-  info.options.emplace_back("second_from", *command.second_from);
-  info.options.emplace_back("second_to", *command.second_to);
-  if (command.restart.folder.empty())
-    info.options.emplace_back("slices", static_cast<long long>(command.slices));
-  if (command.regions > 0)
-    info.options.emplace_back("regions", static_cast<long long>(command.regions));
-  if (command.closure_speed) info.options.emplace_back("closure_speed", *command.closure_speed);
-  if (command.max_step) info.options.emplace_back("max_step", *command.max_step);
-  note_following(command, info);
-  if (command.restart.folder.empty())
-    record_search(command, info);
-  else
-    record_restart(command, info);
 }
 
 // What is stable between the loci, as far as the time goes that tracing them has left.
@@ -115,7 +93,7 @@ int run_loci(const ContinueCommand& command) {
   record.second_to = options.second_to;
   record.unit = parameter_unit(scene, command.parameter);
   record.second_unit = parameter_unit(scene, command.second);
-  record_options(command, record.info);
+  note_options(command, record.info);
   record.warnings = system_warnings(scene, assemble(scene));
   warn(command, record.warnings);
   prepare_output(command);

@@ -1,7 +1,6 @@
 // graze map: what the motion settles on over a plane of two parameters or two coordinates of its
 // start.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <optional>
 
@@ -10,7 +9,6 @@
 #include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/record/detail/study_records.hpp"
-#include "graze/record/names/detail/map_names.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/text/text.hpp"
@@ -18,6 +16,7 @@
 #include "graze/study/cost/detail/step_choice.hpp"
 #include "journals.hpp"
 #include "loci_options.hpp"
+#include "option_notes.hpp"
 #include "session.hpp"
 #include "work_options.hpp"
 
@@ -34,13 +33,6 @@ AttractorMapOptions map_options(const MapCommand& command) {
   return options;
 }
 
-// What makes a difference to the cells.
-void note_cells(const AttractorMapOptions& options, RunInfo& info) {
-  note_plane(options, info);
-  note_settling(options, info);
-  if (options.measure) info.options.emplace_back("amplitudes", true);
-}
-
 // Loci of the orbits over the map, and how the whole ended.
 void trace_over(const MapCommand& command, const Scene& scene, const LociOptions& options,
                 MapRecord& record) {
@@ -48,11 +40,6 @@ void trace_over(const MapCommand& command, const Scene& scene, const LociOptions
   const Outcome outcome = loci_outcome(*record.loci, options);
   // That there are none is no failure: the map says what there is.
   if (record.outcome.name == "complete" && outcome.name != "no_orbit") record.outcome = outcome;
-  auto& noted = record.info.options;
-  noted.emplace_back("locus", fmt::format("{}", fmt::join(command.locus, ",")));
-  noted.emplace_back("slices", static_cast<long long>(command.slices));
-  noted.emplace_back("period", static_cast<long long>(command.period));
-  noted.emplace_back("impacts", static_cast<long long>(command.impacts.value_or(1)));
 }
 
 void check_options(const MapCommand& command) {
@@ -90,7 +77,7 @@ int run(const MapCommand& command) {
   record.measured = shown_of(command.curve, command.curve_at, places);
   record.shown = record.measured ? MapQuantity::kMeasured : command.show;
   if (command.measures()) record.places = places;
-  note_cells(options, record.info);
+  note_options(command, Told::In::kPieces, record.info);
   record.warnings = system_warnings(scene, system);
   warn(command, record.warnings);
   prepare_output(command);
@@ -101,11 +88,7 @@ int run(const MapCommand& command) {
   record.map = map_attractors(scene, options);
   options.progress = nullptr;
   if (!work.is_whole_here()) return work.conclude_part(record.map.stopped);
-  if (record.measured)
-    note_shown(command, record.info);
-  else
-    record.info.options.emplace_back("show", name_of(command.show));
-  record.info.options.emplace_back("max_seconds", command.max_seconds);
+  note_options(command, Told::In::kResult, record.info);
   record.outcome = map_outcome(record.map);
   if (loci) trace_over(command, scene, *loci, record);
   const bool stops_in_loci = record.loci && record.map.stopped == StopReason::kNone;

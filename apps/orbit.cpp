@@ -8,6 +8,7 @@
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
+#include "option_notes.hpp"
 #include "session.hpp"
 #include "work_options.hpp"
 
@@ -18,7 +19,6 @@ int run(const OrbitCommand& command) {
   require_exact_flow(scene, "orbits are solved for");
   require_forcing_and_stop(scene);
   OrbitRecord record{info_of_call(command, scene), assemble(scene), {}, {}, {}, {}, {}};
-  record_search(command, record.info);
   record.warnings = system_warnings(scene, record.system);
   warn(command, record.warnings);
   FinderOptions options = finder_options(command);
@@ -27,8 +27,9 @@ int run(const OrbitCommand& command) {
   options.closure_speed = command.closure_speed;
   if (!options.closure_speed && start)
     options.closure_speed = default_closure_speed(record.system, *start, scene.solver.tolerance);
-  if (options.closure_speed)
-    record.info.options.emplace_back("closure_speed", *options.closure_speed);
+  OrbitCommand in_force = command;
+  in_force.closure_speed = options.closure_speed;
+  note_options(in_force, record.info);
   if (!start && options.from_simulation)
     warn(command, {"no start by simulation: the scene's initial state is not clear of the stop"});
   prepare_output(command);

@@ -100,13 +100,4 @@ void note_values(const Restart& restart, const std::vector<std::string>& varied,
       info.settings.push_back(fmt::format("{}={}", name, *parameter_value(restart.scene, name)));
 }
 
-void record_restart(const ContinueCommand& command, RunInfo& info) {
-  info.options.emplace_back("restart", command.restart.folder);
-  info.options.emplace_back("label", command.restart.label);
-  if (command.restart.switched) info.options.emplace_back("switch", true);
-  info.options.emplace_back("virtual", command.keep_virtual);
-  info.options.emplace_back("max_impacts", command.max_impacts);
-  info.options.emplace_back("max_seconds", command.max_seconds);
-}
-
 }  // namespace graze

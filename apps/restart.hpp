@@ -32,7 +32,4 @@ double value_in_range(const Restart& restart, const std::string& parameter, doub
 // settings.
 void note_values(const Restart& restart, const std::vector<std::string>& varied, RunInfo& info);
 
-// --restart, --label and --switch among the options of a run, in place of those of a search.
-void record_restart(const ContinueCommand& command, RunInfo& info);
-
 }  // namespace graze

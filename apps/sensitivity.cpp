@@ -1,6 +1,4 @@
 // graze compare --sensitivity: what a parameter makes of a motion.
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "graze/assembly/assembly.hpp"
@@ -10,6 +8,7 @@
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/parameter.hpp"
+#include "option_notes.hpp"
 #include "work_options.hpp"
 
 namespace graze {
@@ -51,18 +50,9 @@ int run_sensitivity(const CompareCommand& command) {
   if (!command.second.empty()) record.second_unit = parameter_unit(scene, command.second);
   record.reference = options.reference;
   record.probes = scene.probes;
-  auto& noted = record.info.options;
-  noted.emplace_back("sensitivity", true);
-  noted.emplace_back("parameter", command.parameter);
-  noted.emplace_back("from", command.from);
-  noted.emplace_back("to", command.to);
-  noted.emplace_back("points", static_cast<long long>(command.points));
-  noted.emplace_back("reference", options.reference);
-  noted.emplace_back("duration", *command.duration);
-  if (!command.second.empty()) {
-    noted.emplace_back("second", command.second);
-    noted.emplace_back("second_values", fmt::format("{}", fmt::join(command.second_values, ",")));
-  }
+  CompareCommand in_force = command;
+  in_force.reference = options.reference;
+  note_options(in_force, record.info);
   record.warnings = system_warnings(scene, assemble(scene));
   warn(command, record.warnings);
   prepare_output(command);

@@ -12,7 +12,7 @@
 #include "graze/base/errors.hpp"
 #include "graze/record/names/detail/comparison_names.hpp"
 #include "graze/record/names/detail/map_names.hpp"
-#include "option_values.hpp"
+#include "options/option.hpp"
 #include "run_output.hpp"
 
 namespace graze {

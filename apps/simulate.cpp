@@ -13,10 +13,10 @@
 #include "graze/assembly/probes.hpp"
 #include "graze/base/angle.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/record/names/detail/sweep_names.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/study/cost/detail/step_choice.hpp"
+#include "option_notes.hpp"
 #include "resumption.hpp"
 #include "run_output.hpp"
 #include "session.hpp"
@@ -193,25 +193,18 @@ RunOutput::Rate listening_rate(const SimulateCommand& command, const System& sys
   return made;
 }
 
-void note_options(const SimulateCommand& command, const SimulationOptions& options,
-                  const std::optional<CutRun>& cut, double rate, RunInfo& info) {
-  if (options.duration)
-    info.options.emplace_back("duration", *options.duration);
-  else
-    info.options.emplace_back("periods", options.periods);
-  info.options.emplace_back("record", command.record);
-  if (command.record == "samples") info.options.emplace_back("sample_rate", rate);
-  info.options.emplace_back("energy", command.keeps_balance());
-  if (options.measure) info.options.emplace_back("amplitudes_from", options.measure->from);
-  if (command.force_windows) info.options.emplace_back("forces", *command.force_windows);
-  if (command.section) info.options.emplace_back("section", name_of(*command.section));
-  if (command.transient) info.options.emplace_back("transient", *command.transient);
-  info.options.emplace_back("closure_speed", *options.closure_speed);
-  info.options.emplace_back("max_impacts", options.max_impacts);
-  info.options.emplace_back("max_seconds", command.max_seconds);
-  if (!cut) return;
-  info.options.emplace_back("resume", command.resume);
-  info.options.emplace_back("resume_time", cut->time);
+// With what holds where an option is not given.
+void note_run(SimulateCommand command, const SimulationOptions& options,
+              const std::optional<CutRun>& cut, double rate, RunInfo& info) {
+  if (!options.duration) command.periods = options.periods;
+  command.sample_rate.reset();
+  if (command.record == "samples") command.sample_rate = rate;
+  command.energy = command.keeps_balance();
+  command.amplitudes_from.reset();
+  if (options.measure) command.amplitudes_from = options.measure->from;
+  command.closure_speed = options.closure_speed;
+  note_options(command, info);
+  if (cut) info.options.emplace_back("resume_time", cut->time);
 }
 
 Simulation run_listened(const System& system, const State& start, const std::optional<CutRun>& cut,
@@ -287,7 +280,7 @@ int run(const SimulateCommand& command) {
   record.system = assemble(scene);
   record.probes = probe_rows(scene, record.system);
   Plan plan = planned(command, scene, record);
-  note_options(command, plan.options, plan.cut, plan.rate, record.info);
+  note_run(command, plan.options, plan.cut, plan.rate, record.info);
   record.warnings = system_warnings(scene, record.system);
   warn(command, record.warnings);
   if (plan.cut && command.keeps_balance() && !plan.cut->state.keeps_balance)

@@ -74,8 +74,8 @@ void add_rows(const Rows& rows, Columns& columns) {
 class SharedReader {
  public:
   SharedReader() {
-    for (const CommandReader::Description& command : reader_.descriptions())
-      for (const CommandReader::Option& file : command.files)
+    for (const CommandDescription& command : reader_.descriptions())
+      for (const OptionDescription& file : command.files)
         if (file.name == "SCENE") of_scenes_.insert(command.name);
   }
 

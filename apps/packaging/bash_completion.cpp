@@ -48,7 +48,7 @@ _graze_value() {
 
 )sh";
 
-std::string value(const CommandReader::Option& option, const std::string& commands) {
+std::string value(const OptionDescription& option, const std::string& commands) {
   switch (value_kind(option)) {
     case ValueKind::kChoice:
       return fmt::format("choice {}", fmt::join(option.choices, " "));
@@ -72,13 +72,13 @@ std::string value(const CommandReader::Option& option, const std::string& comman
 
 // Which of several files a word is, the shell does not know: options and their values stand
 // between.
-std::string file_value(const CommandReader::Description& command, const std::string& commands) {
+std::string file_value(const CommandDescription& command, const std::string& commands) {
   const std::string first = value(command.files.front(), commands);
   if (command.files.size() == 1) return first;
   return value_kind(command.files.front()) == ValueKind::kChoice ? first + " FILES" : "file";
 }
 
-std::string with_dashes(const CommandReader::Option& option) {
+std::string with_dashes(const OptionDescription& option) {
   return (option.short_name.empty() ? "" : "-" + option.short_name + " ") + "--" + option.name;
 }
 
@@ -93,7 +93,7 @@ std::string bash_completion(const Commands& commands) {
     std::vector<std::string> words{"-h --help"};
     for (const auto& option : command.options) {
       words.push_back(with_dashes(option));
-      if (option.is_flag) continue;
+      if (option.is_flag()) continue;
       const std::string pattern = option.short_name.empty()
                                       ? ""
                                       : fmt::format("{}:-{} | ", command.name, option.short_name);

@@ -4,7 +4,7 @@
 
 namespace graze {
 
-ValueKind value_kind(const CommandReader::Option& option) {
+ValueKind value_kind(const OptionDescription& option) {
   const auto begins = [&](const char* with) { return option.placeholder.rfind(with, 0) == 0; };
   if (!option.choices.empty()) return ValueKind::kChoice;
   if (option.name == "COMMAND") return ValueKind::kCommand;

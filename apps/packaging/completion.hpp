@@ -9,7 +9,7 @@
 
 namespace graze {
 
-using Commands = std::vector<CommandReader::Description>;
+using Commands = std::vector<CommandDescription>;
 
 std::string bash_completion(const Commands& commands);
 std::string zsh_completion(const Commands& commands);
@@ -17,7 +17,7 @@ std::string fish_completion(const Commands& commands);
 
 // What a value is, for the shells to look it up.
 enum class ValueKind { kAny, kChoice, kCommand, kFile, kScene, kFolder, kParameter, kSetting };
-ValueKind value_kind(const CommandReader::Option& option);
+ValueKind value_kind(const OptionDescription& option);
 
 // The first of what an option says of itself, short enough to stand beside it.
 std::string in_brief(const std::string& what);

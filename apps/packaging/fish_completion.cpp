@@ -34,7 +34,7 @@ std::string fish_quoted(const std::string& text) {
 }
 
 // What a value may be, as arguments of `complete`.
-std::string values(const CommandReader::Option& option, const std::string& commands) {
+std::string values(const OptionDescription& option, const std::string& commands) {
   switch (value_kind(option)) {
     case ValueKind::kChoice:
       return fmt::format(" -a '{}'", fmt::join(option.choices, " "));
@@ -74,7 +74,7 @@ std::string fish_completion(const Commands& commands) {
     for (const auto& option : command.options)
       text += fmt::format("{}{} -l {}{} -d {}\n", of,
                           option.short_name.empty() ? "" : " -s " + option.short_name, option.name,
-                          option.is_flag                           ? ""
+                          option.is_flag()                         ? ""
                           : value_kind(option) == ValueKind::kFile ? " -r" + values(option, all)
                                                                    : " -x" + values(option, all),
                           fish_quoted(in_brief(option.what)));

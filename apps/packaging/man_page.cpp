@@ -6,7 +6,7 @@
 #include <cctype>
 #include <sstream>
 
-#include "option_groups.hpp"
+#include "command_description.hpp"
 
 namespace graze {
 namespace {
@@ -43,9 +43,9 @@ std::string name_section(const std::string& name, const std::string& what) {
   return fmt::format(".SH NAME\n{} \\- {}\n", plain(name), plain(what));
 }
 
-std::string files_in_synopsis(const CommandReader::Description& command) {
+std::string files_in_synopsis(const CommandDescription& command) {
   std::string text;
-  for (const CommandReader::Option& file : command.files) {
+  for (const OptionDescription& file : command.files) {
     const std::string name =
         fmt::format("\\fI{}\\fR{}", plain(file.name), file.takes_several ? " .." : "");
     text += file.is_required ? " " + name : " [" + name + "]";
@@ -54,7 +54,7 @@ std::string files_in_synopsis(const CommandReader::Description& command) {
 }
 
 // "-o DIR, --out DIR" in bold, the values in italics.
-std::string option_head(const CommandReader::Option& option) {
+std::string option_head(const OptionDescription& option) {
   const std::string value =
       option.placeholder.empty() ? "" : fmt::format(" \\fI{}\\fR", plain(option.placeholder));
   std::string head;
@@ -62,16 +62,16 @@ std::string option_head(const CommandReader::Option& option) {
   return head + fmt::format("\\fB{}\\fR{}", plain("--" + option.name), value);
 }
 
-std::string options_section(const CommandReader::Description& command) {
+std::string options_section(const CommandDescription& command) {
   std::string text = ".SH OPTIONS\n";
   std::vector<std::string> headings;
-  for (const CommandReader::Option& option : command.options)
+  for (const OptionDescription& option : command.options)
     if (std::find(headings.begin(), headings.end(), option.heading) == headings.end())
       headings.push_back(option.heading);
   order_headings(headings);
   for (const std::string& heading : headings) {
     text += fmt::format(".SS {}\n", plain(heading));
-    for (const CommandReader::Option& option : command.options)
+    for (const OptionDescription& option : command.options)
       if (option.heading == heading)
         text += fmt::format(".TP\n{}\n{}\n", option_head(option), plain(option.help));
   }
@@ -89,7 +89,7 @@ std::string example_section(const std::string& example) {
   return text + ".fi\n";
 }
 
-std::string command_entry(const CommandReader::Description& command) {
+std::string command_entry(const CommandDescription& command) {
   return fmt::format(".TP\n\\fB{}\\fR\n{}.\n", plain(command.name), plain(command.what));
 }
 
@@ -113,8 +113,7 @@ Interrupted; what was finished is kept.
 
 }  // namespace
 
-std::string man_page(const std::vector<CommandReader::Description>& commands,
-                     const std::string& version) {
+std::string man_page(const std::vector<CommandDescription>& commands, const std::string& version) {
   std::string text =
       title("graze", version) + name_section("graze",
                                              "motion, periodic orbits and branches of impacting "
@@ -127,7 +126,7 @@ std::string man_page(const std::vector<CommandReader::Description>& commands,
       "it does not name is not simulated. \\fBgraze init\\fR writes one to begin with.\n"
       ".SH COMMANDS\n";
   std::string others;
-  for (const CommandReader::Description& command : commands) {
+  for (const CommandDescription& command : commands) {
     text += command_entry(command);
     others +=
         fmt::format("{}.BR {} (1)", others.empty() ? "" : " ,\n", plain("graze-" + command.name));
@@ -135,7 +134,7 @@ std::string man_page(const std::vector<CommandReader::Description>& commands,
   return text + kExitStatus + ".SH SEE ALSO\n" + others + "\n";
 }
 
-std::string man_page_of_ranks(const std::vector<CommandReader::Description>& commands,
+std::string man_page_of_ranks(const std::vector<CommandDescription>& commands,
                               const std::string& version) {
   std::string text = title("graze-mpi", version) +
                      name_section("graze-mpi", "graze as the ranks of an MPI job") + R"(.SH SYNOPSIS
@@ -152,10 +151,8 @@ the last byte; all read the scene, which must be the same for each. A rank uses 
 Those that have blocks; any other runs with one rank only, and of compare only maps have them.
 )";
   std::string others;
-  for (const CommandReader::Description& command : commands) {
-    const auto is_shared = [](const CommandReader::Option& option) {
-      return option.name == "shard";
-    };
+  for (const CommandDescription& command : commands) {
+    const auto is_shared = [](const OptionDescription& option) { return option.name == "shard"; };
     if (std::none_of(command.options.begin(), command.options.end(), is_shared)) continue;
     text += command_entry(command);
     others += fmt::format(",\n.BR {} (1)", plain("graze-" + command.name));
@@ -168,14 +165,14 @@ Those that have blocks; any other runs with one rank only, and of compare only m
          others + ",\n.BR mpirun (1)\n";
 }
 
-std::string man_page(const CommandReader::Description& command, const std::string& version) {
+std::string man_page(const CommandDescription& command, const std::string& version) {
   const std::string name = "graze-" + command.name;
   std::string text = title(name, version) + name_section(name, command.what);
   text +=
       fmt::format(".SH SYNOPSIS\n\\fBgraze {}\\fR{}{}\n", plain(command.name),
                   files_in_synopsis(command), command.options.empty() ? "" : " [\\fIOPTIONS\\fR]");
   text += fmt::format(".SH DESCRIPTION\n{}.\n", plain(command.what));
-  for (const CommandReader::Option& file : command.files)
+  for (const OptionDescription& file : command.files)
     text += fmt::format(".TP\n\\fI{}\\fR\n{}\n", plain(file.name), plain(file.help));
   if (!command.options.empty()) text += options_section(command);
   text += kExitStatus;

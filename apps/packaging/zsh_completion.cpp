@@ -34,7 +34,7 @@ std::string zsh_quoted(const std::string& text) {
   return made;
 }
 
-std::string action(const CommandReader::Option& option) {
+std::string action(const OptionDescription& option) {
   switch (value_kind(option)) {
     case ValueKind::kChoice:
       return fmt::format("({})", fmt::join(option.choices, " "));
@@ -57,10 +57,10 @@ std::string action(const CommandReader::Option& option) {
 }
 
 // A specification of _arguments for each name of an option.
-std::string specifications(const CommandReader::Option& option) {
+std::string specifications(const OptionDescription& option) {
   const std::string what = zsh_quoted(in_brief(option.what));
   const std::string value =
-      option.is_flag
+      option.is_flag()
           ? ""
           : fmt::format(":{}:{}",
                         zsh_quoted(option.placeholder.empty() ? option.name : option.placeholder),
@@ -70,10 +70,10 @@ std::string specifications(const CommandReader::Option& option) {
                                 ? ""
                                 : fmt::format("(-{} --{})", option.short_name, option.name);
   std::string text = fmt::format(" \\\n        '{}--{}{}[{}]{}'", twice, option.name,
-                                 option.is_flag ? "" : "=", what, value);
+                                 option.is_flag() ? "" : "=", what, value);
   if (!option.short_name.empty())
     text += fmt::format(" \\\n        '{}-{}{}[{}]{}'", twice, option.short_name,
-                        option.is_flag ? "" : "+", what, value);
+                        option.is_flag() ? "" : "+", what, value);
   return text;
 }
 

@@ -58,8 +58,11 @@ std::shared_ptr<FoundResult> run_words(const std::vector<std::string>& words,
 
 py::list options(const std::string& command) {
   py::list list;
-  for (const CommandReader::Option& option : reader().options(command))
-    list.append(py::make_tuple(option.name, option.what, option.default_value, option.is_flag));
+  for (const CommandDescription& known : reader().descriptions())
+    for (const OptionDescription& option : known.options)
+      if (known.name == command)
+        list.append(
+            py::make_tuple(option.name, option.what, option.default_value, option.is_flag()));
   return list;
 }
 

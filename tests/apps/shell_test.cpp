@@ -125,11 +125,14 @@ TEST(Shell, UsageIsToldInItsOwnWords) {
   for (const auto& [arguments, sentence] : std::vector<std::pair<std::string, std::string>>{
            {diagram + " --points 3 --points 4", "--points was given twice; it takes one value"},
            {simulate + " -o a -o b --out c", "--out was given 3 times; it takes one value"},
+           {simulate + " -qo", "--out: the value is missing; give --out DIR"},
+           {simulate + " --out=", "--out: the value is missing; give --out DIR"},
            {diagram + " --points", "--points: the value is missing; give --points N"},
            {diagram, "--parameter NAME, --from A and --to B are missing"},
            {"simulate", "SCENE is missing"},
            {simulate + " --periods 3 --duration 2", "--duration and --periods do not go together"},
            {simulate + " --show returns", "--show needs --plot FILE"},
+           {"compare " + kOneMode + " --reference 3", "--reference needs --sensitivity"},
            {simulate + " x", "simulate takes SCENE; 'x' is too many"},
            {simulate + " --set stop.gap=1 beam.modes=2",
             "simulate takes SCENE; 'beam.modes=2' is too many, each setting has a --set of its "

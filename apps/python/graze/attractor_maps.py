@@ -34,7 +34,7 @@ def map(
     out: Optional[PathLike] = None,
     threads: int = 0,
     progress: Progress = None,
-    periods: Optional[int] = None,
+    periods: int = 1000,
     samples: int = 100,
     exponents: Optional[int] = None,
     amplitudes: bool = False,

@@ -56,7 +56,7 @@ def compare(
     out: Optional[PathLike] = None,
     threads: int = 0,
     progress: Progress = None,
-    periods: Optional[int] = None,
+    periods: int = 1000,
     samples: int = 100,
     resume: bool = False,
     restart_work: bool = False,

@@ -48,7 +48,7 @@ def diagram(
     out: Optional[PathLike] = None,
     threads: int = 0,
     progress: Progress = None,
-    periods: Optional[int] = None,
+    periods: int = 1000,
     samples: int = 100,
     exponents: Optional[int] = None,
     duration: Optional[float] = None,
