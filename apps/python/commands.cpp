@@ -1,6 +1,7 @@
 // Commands with their options, read by the reader of the program's own command line.
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -56,13 +57,27 @@ std::shared_ptr<FoundResult> run_words(const std::vector<std::string>& words,
   return run_in_process(std::move(command), progress);
 }
 
+const char* name_of(OptionKind kind) {
+  if (kind == OptionKind::kFlag) return "flag";
+  if (kind == OptionKind::kWhole) return "whole";
+  return kind == OptionKind::kNumber ? "number" : "word";
+}
+
+// With names as keywords have them.
 py::list options(const std::string& command) {
+  using namespace py::literals;
   py::list list;
   for (const CommandDescription& known : reader().descriptions())
-    for (const OptionDescription& option : known.options)
-      if (known.name == command)
-        list.append(
-            py::make_tuple(option.name, option.what, option.default_value, option.is_flag()));
+    for (const OptionDescription& option : known.options) {
+      if (known.name != command) continue;
+      std::string name = option.name;
+      std::replace(name.begin(), name.end(), '-', '_');
+      list.append(py::dict("name"_a = name, "kind"_a = name_of(option.kind),
+                           "what"_a = option.what, "default"_a = option.default_value,
+                           "several"_a = option.takes_several, "repeated"_a = option.is_repeated,
+                           "placeholder"_a = option.placeholder, "heading"_a = option.heading,
+                           "required"_a = option.is_required));
+    }
   return list;
 }
 

@@ -25,7 +25,7 @@ class BuildByCMake(build_ext):
         if not (BUILD / "CMakeCache.txt").exists():
             configure += ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"]
         subprocess.run(configure, check=True)
-        targets = ["graze_python", "graze_python_package"]
+        targets = ["graze_python", "graze_python_package", "graze_python_stub"]
         subprocess.run(["cmake", "--build", str(BUILD), "--target", *targets], check=True)
         shutil.copytree(BUILD / "python/graze", pathlib.Path(self.build_lib) / "graze", dirs_exist_ok=True,
                         ignore=shutil.ignore_patterns("__pycache__"))

@@ -7,13 +7,13 @@ import pytest
 
 #: Of what is printed and drawn, which a result is asked for afterwards.
 ELSEWHERE = {
-    "json", "quiet", "wide", "verbose", "plot", "title", "style", "labels", "x-range", "y-range",
-    "x-scale", "y-scale", "multipliers", "size", "font",
+    "json", "quiet", "wide", "verbose", "plot", "title", "style", "labels", "x_range", "y_range",
+    "x_scale", "y_scale", "multipliers", "size", "font",
     "parameters",  # of a scene: Scene.parameters
 }
 #: Which need --plot in the program.
-OF_PICTURES = {"simulate": {"show", "shapes-at"}, "loci": {"show", "at"}}
-OF_LOCI = {"locus", "second", "second-from", "second-to", "slices", "regions"}
+OF_PICTURES = {"simulate": {"show", "shapes_at"}, "loci": {"show", "at"}}
+OF_LOCI = {"locus", "second", "second_from", "second_to", "slices", "regions"}
 OF_BRANCHES = {"amplitudes", "switch"}
 
 FUNCTIONS = {
@@ -24,14 +24,14 @@ FUNCTIONS = {
 
 
 def as_keyword(option):
-    return "from_" if option == "from" else option.replace("-", "_")
+    return "from_" if option == "from" else option
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_every_option_is_a_keyword(name):
     command = "continue" if name == "loci" else name
     without = {"continue": OF_LOCI, "loci": OF_BRANCHES}.get(name, set())
-    options = {option for option, *_ in graze._core.options(command)} - ELSEWHERE - without
+    options = {option["name"] for option in graze._core.options(command)} - ELSEWHERE - without
     options -= OF_PICTURES.get(name, set())
     keywords = set(inspect.signature(FUNCTIONS[name]).parameters) - {"scene", "data", "progress"}
     assert keywords == {as_keyword(option) for option in options}
@@ -41,9 +41,9 @@ def test_every_option_is_a_keyword(name):
 def test_defaults_are_those_of_the_program(name):
     parameters = inspect.signature(FUNCTIONS[name]).parameters
     compared = 0
-    for option, _, default, is_flag in graze._core.options("continue" if name == "loci" else name):
-        parameter = parameters.get(as_keyword(option))
-        if parameter is None or is_flag or not default:
+    for option in graze._core.options("continue" if name == "loci" else name):
+        parameter, default = parameters.get(as_keyword(option["name"])), option["default"]
+        if parameter is None or option["kind"] == "flag" or not default:
             continue
         compared += 1
         written = parameter.default

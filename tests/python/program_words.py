@@ -7,7 +7,6 @@ import shlex
 import graze
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-REPEATED = {"against", "parameter", "sigma"}
 
 
 def battery():
@@ -33,8 +32,8 @@ def battery():
 
 
 def options_of(command):
-    """{name: whether it is a flag} of the program's command."""
-    return {name: is_flag for name, _, _, is_flag in graze._core.options(command)}
+    """What the program says of the options of a command, by their names with dashes."""
+    return {option["name"].replace("_", "-"): option for option in graze._core.options(command)}
 
 
 def call(words):
@@ -48,11 +47,11 @@ def call(words):
             files.append(word)
             continue
         name, _, value = word[2:].partition("=")
-        if known[name]:
+        if known[name]["kind"] == "flag":
             keywords[keyword(name)] = True
             continue
         value = value or rest.pop(0)
-        if name == "set" or (name in REPEATED and name in keywords and command in ("fit", "compare")):
+        if known[name]["repeated"]:
             before = keywords.get(keyword(name), [])
             keywords[keyword(name)] = (before if isinstance(before, list) else [before]) + [value]
         else:

@@ -9,24 +9,27 @@ that name as keywords. Units are SI, angles in radians; docs/python.md tells the
 """
 
 from ._core import version as __version__
-from .attractor_maps import Map, map
-from .branches import Branches, continue_
-from .comparisons import Comparison, ComparisonMap, Sensitivity, compare
-from .costs import Cost, cost
-from .diagrams import Diagram, RunDiagram, diagram
+from .attractor_maps import Map
+from .branches import Branches
+from .comparisons import Comparison, ComparisonMap, Sensitivity
+from .costs import Cost
+from .diagrams import Diagram, RunDiagram
 from .equations import Branch, SpecialPoint, continuation
 from .entry import Entry
 from .errors import (
     Error, FileError, GrazeWarning, NoSuchName, NumericsError, OptionError, SceneError,
 )
 from .examples import example
-from .fits import Fit, fit
-from .locus_curves import Loci, loci
-from .mode_tables import Check, Modes, check, modes
-from .periodic_orbits import Orbits, orbit
+from .fits import Fit
+from .functions import (
+    check, compare, continue_, cost, diagram, fit, loci, map, modes, orbit, simulate,
+)
+from .locus_curves import Loci
+from .mode_tables import Check, Modes
+from .periodic_orbits import Orbits
 from .result import Result
 from .scene import Scene
-from .simulation import Simulation, simulate
+from .simulation import Simulation
 from .stored import merge, view
 from .table import Table
 

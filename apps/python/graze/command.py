@@ -2,77 +2,121 @@
 
 from __future__ import annotations
 
-import functools
 import inspect
 import numbers
 import os
 import sys
 import textwrap
 import warnings
-from typing import Any, Callable, Dict, List, Mapping, Optional, Type, TypeVar
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence
 
 from . import _core
 from .errors import GrazeWarning, NumericsError, OptionError, did_you_mean, in_python
 from .measurements import table_text
-from .result import Result
+from .result import wrapped
 from .scene import scene_from, toml_value
 
-Function = TypeVar("Function", bound=Callable[..., Any])
-
-#: Options that are given once for each of their values; others take them with commas.
-_REPEATED = {"against", "parameter", "sigma"}
-#: Keywords that are none of the program's options.
-_OWN = {"scene", "data", "set", "progress"}
-
-_kinds: Dict[str, Type[Result]] = {}
-
-
-def result_kind(kind: str) -> Callable[[Type[Result]], Type[Result]]:
-    """The class of results that the compiled part calls so."""
-
-    def register(made: Type[Result]) -> Type[Result]:
-        _kinds[kind] = made
-        return made
-
-    return register
+_POSITIONAL, _KEYWORD = inspect.Parameter.POSITIONAL_OR_KEYWORD, inspect.Parameter.KEYWORD_ONLY
+#: Headings of options that are asked of a result afterwards: how it is printed, what its picture shows.
+_AFTERWARDS = {"Output", "Pictures"}
+#: Headings of options that many commands have; a function's own keywords come first.
+_SHARED = {"Scene", "Numerics and limits", "Long work", *_AFTERWARDS}
+_PATH, _SETTINGS = "Union[None, str, os.PathLike[str]]", "Settings"
+#: What values of these placeholders may be besides words.
+_TYPES = {
+    "DIR": _PATH, "FILE": _PATH, "FILE|DIR": _PATH, "A:B": "Union[None, str, Tuple[int, int]]",
+    "K|any": "Union[None, int, str]",
+}
+_KINDS = {"flag": "bool", "whole": "int", "number": "float", "word": "str"}
 
 
-def command(name: str, **unless_given: Any) -> Callable[[Function], Function]:
-    """A function whose signature names options of a command of the program. Its docstring ends with
-    what they mean. `unless_given`: options that the function has and the program
-    does not."""
+def command(
+    of: str,
+    returns: Any,
+    text: str,
+    *,
+    name: str = "",
+    without: Sequence[str] = (),
+    required: Sequence[str] = (),
+    unless_given: Mapping[str, Any] = {},
+) -> Callable[..., Any]:
+    """A function that does the command `of` the program, with its options as keywords but those of `without`,
+    and what they mean in its docstring after `text`. `required`, `unless_given`: keywords that the
+    function needs, and defaults that it has, where the command does otherwise."""
+    options = {
+        keyword(option["name"]): {**option, "required": option["required"] or option["name"] in required}
+        for option in _core.options(of)
+        if (option["heading"] not in _AFTERWARDS or option["name"] == "out")
+        and option["name"] not in (*without, "parameters")
+    }
+    signature = _signature(options, of == "fit", returns, unless_given)
+    known = signature.parameters
+    needed = [key for key, option in options.items() if option["required"]]
 
-    def decorate(function: Function) -> Function:
-        signature = inspect.signature(function)
-        known = set(signature.parameters)
-        takes_data = "data" in known
+    def run(scene: Any, *data: Any, **given: Any) -> Any:
+        for key in given:
+            if key not in known:
+                near = did_you_mean(key + "_" if key + "_" in known else key, known)
+                raise TypeError(f"graze.{run.__name__} has no keyword {key!r}{near}")
+        if "data" in given and not data:
+            data = (given.pop("data"),)
+        if len(data) != ("data" in known) or not all(key in given for key in needed):
+            signature.bind(scene, *data, **given)  # says what is wrong
+        return _run(of, scene, data, {**unless_given, **given}, options)
 
-        @functools.wraps(function)
-        def run(scene: Any, *data: Any, **options: Any) -> Any:
-            for key in options:
-                if key not in known:
-                    near = did_you_mean(key + "_" if key + "_" in known else key, known)
-                    raise TypeError(f"graze.{function.__name__} has no keyword {key!r}{near}")
-            if takes_data and not data and "data" in options:
-                data = (options.pop("data"),)
-            missing = [
-                key
-                for key, parameter in signature.parameters.items()
-                if parameter.default is parameter.empty and key not in _OWN and key not in options
-            ]
-            if missing or len(data) != takes_data:
-                signature.bind(scene, *data, **options)  # says what is wrong
-            return _run(name, scene, data, {**unless_given, **options})
-
-        run.__doc__ = _documented(name, function.__doc__ or "", signature)
-        return run  # type: ignore[return-value]
-
-    return decorate
+    run.__name__ = run.__qualname__ = name or keyword(of)
+    run.__module__ = "graze"
+    run.__doc__ = _documented(text, signature, options)
+    setattr(run, "__signature__", signature)
+    return run
 
 
-def _run(name: str, scene: Any, data: Any, options: Dict[str, Any]) -> Any:
-    given = scene_from(scene, options.pop("set", None))
-    progress = _progress_of(name, options.pop("progress", None))
+def keyword(option: str) -> str:
+    """An option of the program as a keyword."""
+    return option + "_" if option in ("from", "continue") else option
+
+
+def _signature(
+    options: Mapping[str, Any], takes_data: bool, returns: Any, unless_given: Mapping[str, Any]
+) -> inspect.Signature:
+    """The scene, and keywords: those that are required first, then the function's own."""
+    listed = [inspect.Parameter("scene", _POSITIONAL, annotation="SceneLike")]
+    if takes_data:
+        listed.append(inspect.Parameter("data", _POSITIONAL, annotation="MeasuredLike"))
+    ordered = sorted(options, key=lambda key: (not options[key]["required"], options[key]["heading"] in _SHARED))
+    for key in ordered:
+        default = unless_given.get(key, _default(options[key]))
+        kind = _type(options[key], default)
+        listed.append(inspect.Parameter(key, _KEYWORD, default=default, annotation=kind))
+    listed.append(inspect.Parameter("progress", _KEYWORD, default=None, annotation="Progress"))
+    return inspect.Signature(listed, return_annotation=returns)
+
+
+def _default(option: Mapping[str, Any]) -> Any:
+    if option["required"]:
+        return inspect.Parameter.empty
+    if option["kind"] == "flag":
+        return False
+    as_kind = {"whole": int, "number": float, "word": str}[option["kind"]]
+    return as_kind(option["default"]) if option["default"] else None
+
+
+def _type(option: Mapping[str, Any], default: Any) -> str:
+    kind = _KINDS[option["kind"]]
+    if option["name"] == "set":
+        return _SETTINGS
+    if option["repeated"]:
+        return "Union[None, float, str, Sequence[Any], Mapping[str, Any]]"
+    if option["several"]:
+        return f"Union[None, {kind}, Sequence[{kind}]]"
+    if option["placeholder"] in _TYPES:
+        return _TYPES[option["placeholder"]]
+    return kind if default is not None else f"Optional[{kind}]"
+
+
+def _run(name: str, scene: Any, data: Any, values: Dict[str, Any], options: Mapping[str, Any]) -> Any:
+    given = scene_from(scene, values.pop("set", None))
+    progress = _progress_of(name, values.pop("progress", None))
     words = [name, "scene"]
     table: Optional[str] = None
     if data:
@@ -82,8 +126,8 @@ def _run(name: str, scene: Any, data: Any, options: Dict[str, Any]) -> Any:
         else:
             words.append("measurements")
             table = table_text(data[0])
-    for key, value in options.items():
-        words += option_words(key, value)
+    for key, value in values.items():
+        words += option_words(key, value, options[key]["repeated"])
     try:
         found = _core.run(words, given._named, progress, table)
     except BaseException as error:  # Ctrl-C, or what `progress` raised
@@ -101,13 +145,8 @@ def _run(name: str, scene: Any, data: Any, options: Dict[str, Any]) -> Any:
     return result
 
 
-def wrapped(found: "_core.FoundResult", scene: Any) -> Optional[Result]:
-    """The result in the class of its kind."""
-    return _kinds[found.kind](found, scene) if found.kind is not None else None
-
-
-def option_words(key: str, value: Any) -> List[str]:
-    """An option as words of a command line."""
+def option_words(key: str, value: Any, is_repeated: bool = False) -> List[str]:
+    """An option as words of a command line; one that is repeated has each of its values by itself."""
     option = "--" + key.rstrip("_").replace("_", "-")
     if value is None or value is False:
         return []
@@ -121,7 +160,7 @@ def option_words(key: str, value: Any) -> List[str]:
         value = value.tolist()
     if not isinstance(value, (list, tuple, set, frozenset)):
         return [f"{option}={_text(key, value)}"]
-    if key in _REPEATED:
+    if is_repeated:
         return [f"{option}={_text(key, entry)}" for entry in value]
     return [f"{option}={','.join(_text(key, entry) for entry in value)}"]
 
@@ -187,11 +226,10 @@ _TOLD = {
 }
 
 
-def _documented(name: str, text: str, signature: inspect.Signature) -> str:
-    told = {option.replace("-", "_"): what for option, what, _, _ in _core.options(name)}
+def _documented(text: str, signature: inspect.Signature, options: Mapping[str, Any]) -> str:
     lines = [inspect.cleandoc(text), "", "Keywords:"]
     for key, parameter in signature.parameters.items():
-        what = _TOLD.get(key) or in_python(told.get(key.rstrip("_"), ""))
+        what = _TOLD.get(key) or in_python(options[key]["what"] if key in options else "")
         if not what:
             continue
         what = what[0].lower() + what[1:] if what[1:2].islower() else what

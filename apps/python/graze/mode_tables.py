@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, Sequence
+from typing import Any, Sequence
 
 import numpy as np
 
-from .command import command, result_kind
 from .entry import Entry
-from .result import Result
-from .words import PathLike, Progress, SceneLike, Settings
+from .result import Result, result_kind
 
 
 @result_kind("modes")
@@ -49,30 +47,3 @@ class Check(Result):
     """What a scene simulates; `print` it."""
 
     main_table = ""
-
-
-@command("modes")
-def modes(
-    scene: SceneLike,
-    *,
-    set: Settings = None,
-    out: Optional[PathLike] = None,
-    threads: int = 0,
-    progress: Progress = None,
-    mac: Optional[PathLike] = None,
-) -> Modes:
-    """Finds the natural modes of the structure: frequencies, effective masses, shapes."""
-    raise NotImplementedError  # the decorator does it
-
-
-@command("check")
-def check(
-    scene: SceneLike,
-    *,
-    set: Settings = None,
-    out: Optional[PathLike] = None,
-    threads: int = 0,
-    progress: Progress = None,
-) -> Check:
-    """Says what is simulated: modes, frequencies, conditioning, flow."""
-    raise NotImplementedError  # the decorator does it

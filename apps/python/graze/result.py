@@ -6,7 +6,7 @@ import json
 import operator
 import os
 from functools import cached_property
-from typing import Any, Dict, Iterator, List, Optional, Sequence, Union
+from typing import Any, Callable, Dict, Iterator, List, Optional, Sequence, Type, Union
 
 import numpy as np
 
@@ -15,6 +15,24 @@ from .entry import Entry
 from .errors import NoSuchName, unknown_name
 from .scene import Scene
 from .table import Table
+
+
+_kinds: Dict[str, Type["Result"]] = {}
+
+
+def result_kind(kind: str) -> Callable[[Type["Result"]], Type["Result"]]:
+    """The class of results that the compiled part calls so."""
+
+    def register(made: Type["Result"]) -> Type["Result"]:
+        _kinds[kind] = made
+        return made
+
+    return register
+
+
+def wrapped(found: "_core.FoundResult", scene: Scene) -> Optional["Result"]:
+    """The result in the class of its kind."""
+    return _kinds[found.kind](found, scene) if found.kind is not None else None
 
 
 class Result:

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Optional, Sequence
 
-from .command import command, result_kind
-from .result import Result
+from .result import Result, result_kind
 from .table import Table
-from .words import PathLike, Progress, SceneLike, Settings
 
 
 @result_kind("simulation")
@@ -51,34 +49,3 @@ class Simulation(Result):
                 raise self._without("section")
             show = None
         return super().plot(axes, show=show, at=at)
-
-
-@command("simulate")
-def simulate(
-    scene: SceneLike,
-    *,
-    set: Settings = None,
-    out: Optional[PathLike] = None,
-    threads: int = 0,
-    progress: Progress = None,
-    duration: Optional[float] = None,
-    periods: Optional[int] = None,
-    record: str = "events",
-    sample_rate: Optional[float] = None,
-    sample_format: str = "csv",
-    energy: bool = False,
-    amplitudes: bool = False,
-    amplitudes_from: Optional[float] = None,
-    forces: Optional[int] = None,
-    section: Optional[str] = None,
-    transient: Optional[int] = None,
-    resume: Optional[PathLike] = None,
-    closure_speed: Optional[float] = None,
-    max_impacts: int = 10000000,
-    max_seconds: float = 3600.0,
-) -> Simulation:
-    """Follows the motion from the scene's initial state, every impact certified.
-
-    Raises NumericsError with what was reached where a budget ended it.
-    """
-    raise NotImplementedError  # the decorator does it

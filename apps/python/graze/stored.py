@@ -6,8 +6,7 @@ import os
 from typing import Any, List
 
 from . import _core
-from .command import wrapped
-from .result import Result
+from .result import Result, wrapped
 from .scene import Scene
 from .words import PathLike
 
