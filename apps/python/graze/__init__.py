@@ -9,27 +9,21 @@ that name as keywords. Units are SI, angles in radians; docs/python.md tells the
 """
 
 from ._core import version as __version__
-from .attractor_maps import Map
-from .branches import Branches
-from .comparisons import Comparison, ComparisonMap, Sensitivity
-from .costs import Cost
-from .diagrams import Diagram, RunDiagram
 from .equations import Branch, SpecialPoint, continuation
 from .entry import Entry
 from .errors import (
     Error, FileError, GrazeWarning, NoSuchName, NumericsError, OptionError, SceneError,
 )
 from .examples import example
-from .fits import Fit
 from .functions import (
     check, compare, continue_, cost, diagram, fit, loci, map, modes, orbit, simulate,
 )
-from .locus_curves import Loci
-from .mode_tables import Check, Modes
-from .periodic_orbits import Orbits
+from .kinds import (
+    Branches, Check, Comparison, ComparisonMap, Cost, Diagram, Fit, Loci, Map, Modes, Orbits, RunDiagram,
+    Sensitivity, Simulation,
+)
 from .result import Result
 from .scene import Scene
-from .simulation import Simulation
 from .stored import merge, view
 from .table import Table
 

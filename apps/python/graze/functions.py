@@ -4,17 +4,11 @@ from __future__ import annotations
 
 from typing import Callable, Union
 
-from .attractor_maps import Map
-from .branches import Branches
 from .command import command
-from .comparisons import Comparison, ComparisonMap, Sensitivity
-from .costs import Cost
-from .diagrams import Diagram, RunDiagram
-from .fits import Fit
-from .locus_curves import Loci
-from .mode_tables import Check, Modes
-from .periodic_orbits import Orbits
-from .simulation import Simulation
+from .kinds import (
+    Branches, Check, Comparison, ComparisonMap, Cost, Diagram, Fit, Loci, Map, Modes, Orbits, RunDiagram,
+    Sensitivity, Simulation,
+)
 
 check: Callable[..., Check] = command(
     "check", Check, "Says what is simulated: modes, frequencies, conditioning, flow.")
