@@ -25,7 +25,7 @@ cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL
   ${GRAZE_CONTACT:+"-DGRAZE_CONTACT=$GRAZE_CONTACT"} > /dev/null
 targets=$(ninja -C "$build" -t targets all | grep -oE '^lib/libgraze_[a-z]+\.a' | sort -u)
 # shellcheck disable=SC2086
-ninja -C "$build" ${NINJA_JOBS:-} $targets graze_program graze_c graze_shell graze_changelog graze_python graze_python_package
+ninja -C "$build" ${NINJA_JOBS:-} $targets graze_program graze_c graze_shell graze_changelog graze_python graze_python_package graze_python_stub
 mkdir -p "$folder"
 rm -f "$folder"/*.deb
 (cd "$build" && cpack -G DEB -B "$folder")
