@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "graze/base/errors.hpp"
+#include "graze/base/linalg/detail/products.hpp"
 
 namespace graze {
 namespace {
@@ -34,7 +35,8 @@ void fit_proportional(const StructuralMatrices& structure, ModalDamping& damping
 ModalDamping modal_damping(const StructuralMatrices& structure, const StructuralModes& modes) {
   ModalDamping damping;
   fit_proportional(structure, damping);
-  const Matrix projected = modes.shapes.transpose() * (*structure.damping * modes.shapes);
+  const Matrix projected =
+      transposed_product<double>(modes.shapes, *structure.damping * modes.shapes);
   damping.delta = 0.5 * projected.diagonal();
   if (damping.is_proportional)
     damping.delta =

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <limits>
 
+#include "graze/base/linalg/detail/products.hpp"
+
 namespace graze {
 
 bool orthonormalise(const SparseMatrix& mass, Matrix& vectors) {
   // Twice, as the first time leaves what the condition of the columns makes of rounding.
   for (int pass = 0; pass < 2; ++pass) {
-    const Matrix gram = vectors.transpose() * (mass * vectors);
+    const Matrix gram = transposed_product<double>(vectors, mass * vectors);
     const Eigen::LLT<Matrix> factors(gram);
     if (factors.info() != Eigen::Success) return false;
     factors.matrixU().solveInPlace<Eigen::OnTheRight>(vectors);
@@ -19,7 +21,7 @@ bool orthonormalise(const SparseMatrix& mass, Matrix& vectors) {
 }
 
 void diagonalise(const SparseMatrix& matrix, Matrix& vectors) {
-  Matrix a = vectors.transpose() * (matrix * vectors);
+  Matrix a = transposed_product<double>(vectors, matrix * vectors);
   a = (0.5 * (a + a.transpose())).eval();
   const Eigen::Index n = a.rows();
   for (int sweep = 0; sweep < 30; ++sweep) {

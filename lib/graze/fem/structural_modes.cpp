@@ -11,6 +11,7 @@
 
 #include "graze/base/errors.hpp"
 #include "graze/base/linalg/decompositions.hpp"
+#include "graze/base/linalg/detail/products.hpp"
 #include "graze/fem/detail/judged_modes.hpp"
 #include "graze/fem/detail/masses.hpp"
 #include "graze/fem/detail/mode_polish.hpp"
@@ -84,11 +85,13 @@ struct Shifted {
 
   // Without the idle motions, so that they are orthogonal to them, K's diagonal being the metric.
   void remove_idle(Matrix& vectors) const {
-    if (idle.cols() > 0) vectors -= idle * idle_forces().transpose() * vectors;
+    if (idle.cols() > 0)
+      vectors -= product<double>(product<double>(idle, idle_forces().transpose()), vectors);
   }
   // Without what forces do along the idle motions.
   void balance_idle(Matrix& forces) const {
-    if (idle.cols() > 0) forces -= idle_forces() * (idle.transpose() * forces);
+    if (idle.cols() > 0)
+      forces -= product<double>(idle_forces(), transposed_product<double>(idle, forces));
   }
 
   const StructuralMatrices& structure_;
@@ -114,7 +117,7 @@ struct Shifted {
   // D Z (Z^T D Z)^-1, D the diagonal of K.
   Matrix idle_forces() const {
     const Matrix weighted = structure_.stiffness.diagonal().asDiagonal() * idle;
-    return weighted * Eigen::LLT<Matrix>(idle.transpose() * weighted)
+    return weighted * Eigen::LLT<Matrix>(transposed_product<double>(idle, weighted))
                           .solve(Matrix::Identity(idle.cols(), idle.cols()));
   }
 
@@ -253,11 +256,11 @@ Matrix static_displacements(const StructuralMatrices& structure, const Shifted& 
   const Matrix rigid = modes.shapes.leftCols(modes.rigid);
   const Matrix rigid_load = structure.mass * rigid;
   const auto elastic = [&](Matrix u) {
-    u -= rigid * (rigid_load.transpose() * u);
+    u -= product<double>(rigid, transposed_product<double>(rigid_load, u));
     shifted.remove_idle(u);
     return u;
   };
-  Matrix balanced = loads - rigid_load * (rigid.transpose() * loads);
+  Matrix balanced = loads - product<double>(rigid_load, transposed_product<double>(rigid, loads));
   shifted.balance_idle(balanced);
   Matrix u = elastic(shifted.factors.solve(balanced));
   if (shifted.shift == 0.0) return u;

@@ -165,6 +165,8 @@ std::string MotionWalk<Real>::failure() const {
 }
 
 template class MotionWalk<double>;
+// Compiled in motion_extended.cpp: here its definitions may stand in the same unit.
+extern template class Motion<Extended>;
 template class MotionWalk<Extended>;
 
 }  // namespace graze

@@ -5,6 +5,7 @@
 
 #include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/base/linalg/detail/linear_equations.hpp"
+#include "graze/base/linalg/detail/products.hpp"
 
 namespace graze {
 using Eigen::Index;
@@ -57,11 +58,13 @@ LineConditions::LineConditions(const Line& line, const LineMesh& mesh, const Mat
     reflect(elastic.transpose());
     return;
   }
-  const Matrix moved = rigid * held_;
+  const Matrix moved = product<double>(rigid, held_);
   const Matrix basis = orthonormal_columns<double>(moved, count);
   const Matrix along = basis.leftCols(rank).transpose();
-  follow_ = -held_ * LuFactors(along * moved).solve_columns(along * elastic);
-  reflect(elastic.transpose() * basis.rightCols(count - rank));
+  follow_ = -product<double>(
+      held_,
+      LuFactors(product<double>(along, moved)).solve_columns(product<double>(along, elastic)));
+  reflect(transposed_product<double>(elastic, basis.rightCols(count - rank)));
 }
 
 // Counted, not measured: a place held leaves the turning about it, two places leave nothing.
@@ -111,7 +114,7 @@ void LineConditions::reflect(Matrix normals) {
 }
 
 Matrix LineConditions::reduced_rows(const Matrix& rows) const {
-  Matrix all = rows.leftCols(order_) * follow_;
+  Matrix all = product<double>(rows.leftCols(order_), follow_);
   all.leftCols(unknowns_ - springs_) += rows.rightCols(rows.cols() - order_);
   for (Index i = 0; i < reflectors_.cols(); ++i) {
     const Vector along = all * reflectors_.col(i);
@@ -129,7 +132,7 @@ Matrix LineConditions::unknowns_of(const Matrix& v) const {
   }
   const Index strains = unknowns_ - springs_;
   Matrix y(order_ + strains, v.cols());
-  y.topRows(order_) = follow_ * z;
+  y.topRows(order_) = product<double>(follow_, z);
   y.bottomRows(strains) = z.topRows(strains);
   return y;
 }

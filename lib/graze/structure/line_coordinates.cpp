@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "graze/base/linalg/detail/dense_factors.hpp"
+#include "graze/base/linalg/detail/products.hpp"
 #include "graze/structure/detail/line_forms.hpp"
 
 namespace graze {
@@ -31,9 +32,9 @@ LineCoordinates::LineCoordinates(const Line& line, const Fineness& fineness)
   const Index n = turning_.cols() + conditions_.reduced();
   carried_ = Matrix::Zero(rigid_.cols(), n);
   moving_ = before_tension(kinetic);
-  const Matrix rigid_rows = kinetic.leftCols(line.order) * rigid_;
-  carried_ = rigid_rows.transpose() * moving_;
-  moving_.noalias() -= rigid_rows * carried_;
+  const Matrix rigid_rows = product<double>(kinetic.leftCols(line.order), rigid_);
+  carried_ = transposed_product<double>(rigid_rows, moving_);
+  moving_ -= product<double>(rigid_rows, carried_);
   if (line.tension.value != 0.0) stretch(line);
   if (tension_) tension_->matrixU().solveInPlace<Eigen::OnTheRight>(moving_);
 }
@@ -45,7 +46,7 @@ void LineCoordinates::choose_rigid(const Line& line, const Matrix& kinetic) {
     turning_ = shifts_or_turns(conditions_.free(), true);
     rigid_ = shifts_or_turns(conditions_.free(), false);
   }
-  Matrix rows = kinetic.leftCols(line.order) * rigid_;
+  Matrix rows = product<double>(kinetic.leftCols(line.order), rigid_);
   for (Index i = 0; i < rigid_.cols(); ++i) {
     for (int pass = 0; pass < 2; ++pass)
       for (Index k = 0; k < i; ++k) {
@@ -71,7 +72,7 @@ void LineCoordinates::stretch(const Line& line) {
       return;
     }
   }
-  Matrix stiffness = line.tension.value * (slopes.transpose() * slopes);
+  Matrix stiffness = line.tension.value * transposed_product<double>(slopes, slopes);
   stiffness.diagonal().tail(n - turned).array() += 1.0;
   tension_.emplace(stiffness);
 }
@@ -79,8 +80,8 @@ void LineCoordinates::stretch(const Line& line) {
 Matrix LineCoordinates::before_tension(const Matrix& scaled) const {
   const Index order = mesh_.order();
   Matrix reduced(scaled.rows(), turning_.cols() + conditions_.reduced());
-  reduced << scaled.leftCols(order) * turning_, conditions_.reduced_rows(scaled);
-  reduced.noalias() -= scaled.leftCols(order) * rigid_ * carried_;
+  reduced << product<double>(scaled.leftCols(order), turning_), conditions_.reduced_rows(scaled);
+  reduced -= product<double>(product<double>(scaled.leftCols(order), rigid_), carried_);
   return reduced;
 }
 
@@ -95,7 +96,8 @@ Matrix LineCoordinates::unknowns(const Matrix& x) const {
   if (tension_) tension_->matrixU().solveInPlace(v);
   const Index turned = turning_.cols();
   Matrix y = conditions_.unknowns_of(v.bottomRows(v.rows() - turned));
-  y.topRows(mesh_.order()) += turning_ * v.topRows(turned) - rigid_ * (carried_ * v);
+  y.topRows(mesh_.order()) += product<double>(turning_, v.topRows(turned)) -
+                              product<double>(rigid_, product<double>(carried_, v));
   return units_.unscaled(y);
 }
 

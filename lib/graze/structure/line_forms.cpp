@@ -1,5 +1,7 @@
 #include "graze/structure/detail/line_forms.hpp"
 
+#include "graze/base/linalg/detail/products.hpp"
+
 namespace graze {
 namespace {
 
@@ -36,20 +38,25 @@ NodeRows more_rows(LineForm& form, const LineMesh& mesh, Index inside, Index cou
 Matrix LineForm::factor() const { return weight.cwiseSqrt().asDiagonal() * rows.value; }
 
 Matrix LineForm::between(const Matrix& modes, const Matrix& others) const {
-  return (rows.value * modes).transpose() * (weight.asDiagonal() * (rows.value * others)).eval();
+  return transposed_product<double>(product<double>(rows.value, modes),
+                                    weight.asDiagonal() * product<double>(rows.value, others));
 }
 
 Matrix LineForm::rate_between(const Matrix& modes, const Matrix& others) const {
-  const Matrix left = rows.value * modes, right = rows.value * others;
-  Matrix rate = left.transpose() * (weight_rate.asDiagonal() * right).eval();
+  const Matrix left = product<double>(rows.value, modes),
+               right = product<double>(rows.value, others);
+  Matrix rate = transposed_product<double>(left, weight_rate.asDiagonal() * right);
   if (rows.rate.isZero(0.0)) return rate;
-  rate += (rows.rate * modes).transpose() * (weight.asDiagonal() * right).eval();
-  rate += left.transpose() * (weight.asDiagonal() * (rows.rate * others)).eval();
+  rate +=
+      transposed_product<double>(product<double>(rows.rate, modes), weight.asDiagonal() * right);
+  rate +=
+      transposed_product<double>(left, weight.asDiagonal() * product<double>(rows.rate, others));
   return rate;
 }
 
 Matrix LineForm::times(const Matrix& modes) const {
-  return rows.value.transpose() * (weight.asDiagonal() * (rows.value * modes)).eval();
+  return transposed_product<double>(rows.value,
+                                    weight.asDiagonal() * product<double>(rows.value, modes));
 }
 
 LineForm kinetic_form(const Line& line, const LineMesh& mesh, bool rates) {
@@ -87,18 +94,19 @@ void for_each_element(const LineMesh& mesh, const Vector& weight, const auto& f)
   const Matrix& strains = mesh.strains();
   for (std::size_t e = 0; e < mesh.elements().size(); ++e) {
     const auto here = weight.segment(static_cast<Index>(e) * strains.rows(), strains.rows());
-    const Matrix matrix = strains.transpose() * here.asDiagonal() * strains;
+    const Matrix matrix = transposed_product<double>(here.asDiagonal() * strains, strains);
     f(mesh.first(e), matrix);
   }
 }
 
 // The rows of the strain depend on no length; only its products are formed.
 Matrix strain_form_times(const Line& line, const LineMesh& mesh, const Matrix& modes) {
-  Matrix product = Matrix::Zero(modes.rows(), modes.cols());
+  Matrix all = Matrix::Zero(modes.rows(), modes.cols());
   for_each_element(mesh, mesh.weights(line).stiffness, [&](Index first, const Matrix& matrix) {
-    product.middleRows(first, matrix.rows()) = matrix * modes.middleRows(first, matrix.rows());
+    all.middleRows(first, matrix.rows()) =
+        product<double>(matrix, modes.middleRows(first, matrix.rows()));
   });
-  return product;
+  return all;
 }
 
 Matrix strain_form_rate(const Line& line, const LineMesh& mesh, const Matrix& modes,
@@ -106,8 +114,9 @@ Matrix strain_form_rate(const Line& line, const LineMesh& mesh, const Matrix& mo
   Matrix sum = Matrix::Zero(modes.cols(), others.cols());
   for_each_element(mesh, mesh.weights(line).stiffness_rate, [&](Index first, const Matrix& matrix) {
     if (matrix.isZero(0.0)) return;
-    sum.noalias() += modes.middleRows(first, matrix.rows()).transpose() *
-                     (matrix * others.middleRows(first, matrix.rows())).eval();
+    sum += transposed_product<double>(
+        modes.middleRows(first, matrix.rows()),
+        product<double>(matrix, others.middleRows(first, matrix.rows())));
   });
   return sum;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "graze/base/linalg/detail/dense_factors.hpp"
+#include "graze/base/linalg/detail/products.hpp"
 #include "graze/structure/detail/line_coordinates.hpp"
 
 namespace graze {
@@ -36,7 +37,7 @@ LineSolution solve(const Line& line, const Fineness& fineness, int asked) {
 void orient(const Line& line, LineModes& modes) {
   const double length = line.length.value;
   const Matrix values =
-      modes.mesh.values_inside(false).value * modes.unknowns.leftCols(modes.asked);
+      product<double>(modes.mesh.values_inside(false).value, modes.unknowns.leftCols(modes.asked));
   const Matrix ends[] = {modes.mesh.row(0.0, 0).transpose() * modes.unknowns,
                          modes.mesh.row(0.0, 1).transpose() * modes.unknowns * length,
                          line.order == 2 ? Matrix(modes.mesh.row(0.0, 2).transpose() *

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graze/base/linalg/detail/products.hpp"
 #include "graze/structure/detail/line_forms.hpp"
 #include "graze/structure/detail/line_modes.hpp"
 #include "graze/structure/detail/moving_supports.hpp"
@@ -49,8 +50,9 @@ class RatedModes {
           return {{}, {static_cast<int>(std::min(i, j)) + 1, static_cast<int>(std::max(i, j)) + 1}};
         along(i, j) = same_frequency(mass, i, j);
       }
-    rates.unknowns = all * along;
-    if (beyond_.size() > 0) rates.unknowns += beyond_ - all * kinetic_.between(all, beyond_);
+    rates.unknowns = product<double>(all, along);
+    if (beyond_.size() > 0)
+      rates.unknowns += beyond_ - product<double>(all, kinetic_.between(all, beyond_));
     return {rates, {}};
   }
 
@@ -64,8 +66,8 @@ class RatedModes {
     forces -= elastic_.times(all);
     const Matrix reactions = supports.reactions(forces);
     const Matrix moved = supports.moved(all);
-    coupling += reactions.transpose() * moved.leftCols(modes_.asked) +
-                moved.transpose() * reactions.leftCols(modes_.asked);
+    coupling += transposed_product<double>(reactions, moved.leftCols(modes_.asked)) +
+                transposed_product<double>(moved, reactions.leftCols(modes_.asked));
     beyond_ = supports.following(moved.leftCols(modes_.asked));
   }
 

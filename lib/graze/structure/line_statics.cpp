@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "graze/base/linalg/detail/products.hpp"
 #include "graze/structure/detail/line_coordinates.hpp"
 #include "graze/structure/detail/line_forms.hpp"
 #include "graze/structure/detail/moving_supports.hpp"
@@ -97,14 +98,15 @@ Matrix rate_of(const Line& line, const LineCoordinates& coordinates, const Rated
   b.topRows(line.order) = rigid;
   b_rate.topRows(line.order) = rigid_rates(line, rigid);
   const Matrix held_by_inertia = b.transpose() * loads.value.transpose();
-  Matrix half = loads.rate * y;
-  half -= held_by_inertia.transpose() *
-          (b_rate.transpose() * kinetic.times(y) + kinetic.rate_between(b, y));
+  Matrix half = product<double>(loads.rate, y);
+  half -= transposed_product<double>(
+      held_by_inertia,
+      transposed_product<double>(b_rate, kinetic.times(y)) + kinetic.rate_between(b, y));
   const MovingSupports supports(line, mesh);
   if (supports.any_moves()) {
-    const Matrix borne =
-        loads.value.transpose() - elastic.times(y) - kinetic.times(b) * held_by_inertia;
-    half -= supports.reactions(borne).transpose() * supports.moved(y);
+    const Matrix borne = loads.value.transpose() - elastic.times(y) -
+                         product<double>(kinetic.times(b), held_by_inertia);
+    half -= transposed_product<double>(supports.reactions(borne), supports.moved(y));
   }
   return half + half.transpose() - elastic.rate_between(y, y);
 }
@@ -121,7 +123,7 @@ LineStatics line_statics(const Line& line, const std::vector<Rated>& places, boo
   const bool rated = rates && !found.is_torn;
   const RatedRows loads = load_rows(met, coordinates.mesh(), places, rated);
   const Matrix x = coordinates.rows(loads.value).transpose();
-  found.displacement = x.transpose() * x;
+  found.displacement = transposed_product<double>(x, x);
   if (rated) found.rate = rate_of(met, coordinates, loads, coordinates.unknowns(x));
   return found;
 }

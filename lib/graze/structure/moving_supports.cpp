@@ -1,6 +1,7 @@
 #include "graze/structure/detail/moving_supports.hpp"
 
 #include "graze/base/linalg/detail/dense_factors.hpp"
+#include "graze/base/linalg/detail/products.hpp"
 #include "graze/structure/detail/line_conditions.hpp"
 #include "graze/structure/detail/strain_units.hpp"
 
@@ -35,7 +36,7 @@ MovingSupports::MovingSupports(const Line& line, const LineMesh& mesh) : line_(l
 Matrix MovingSupports::reactions(const Matrix& forces) const {
   Matrix left = StrainUnits(line_, mesh_).scaled(forces.transpose());
   left.leftCols(line_.order) *= unit_;
-  return across_->solve_columns((left * basis_).transpose());
+  return across_->solve_columns(product<double>(left, basis_).transpose());
 }
 
 Matrix MovingSupports::following(const Matrix& moved) const {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "graze/base/linalg/detail/products.hpp"
 #include "graze/scene/matrix_structure.hpp"
 #include "graze/structure/detail/line_modes.hpp"
 #include "graze/structure/detail/line_statics.hpp"
@@ -54,7 +55,7 @@ StaticResponse response_of_modes_rate(const ModalModel& model, const ModalModel&
   const Matrix rows = shares(model.shapes, model.omega);
   const Vector change = share_of_load(rate.omega, model.omega);  // of the logarithm of w
   const Matrix moved = shares(rate.shapes, model.omega) - rows * change.asDiagonal();
-  const Matrix half = moved * rows.transpose();
+  const Matrix half = product<double>(moved, rows.transpose());
   StaticResponse response{half + half.transpose(), {}};
   if (model.inertia.size() == 0) return response;
   const Vector load = share_of_load(model.inertia, model.omega);
@@ -96,7 +97,7 @@ std::optional<StaticResponse> static_response(const Scene& scene) {
 
 StaticResponse static_response_of_modes(const ModalModel& model) {
   const Matrix rows = shares(model.shapes, model.omega);
-  StaticResponse response{rows * rows.transpose(), {}};
+  StaticResponse response{product<double>(rows, rows.transpose()), {}};
   if (model.inertia.size() > 0)
     response.under_gravity = rows * share_of_load(model.inertia, model.omega);
   return response;

@@ -2,6 +2,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "graze/base/linalg/detail/products.hpp"
+
 namespace graze {
 
 using Eigen::Index;
@@ -11,7 +13,7 @@ StrainUnits::StrainUnits(const Line& line, const LineMesh& mesh) : order_(mesh.o
   const Matrix& strains = mesh.strains();
   for (Index e = 0; e < static_cast<Index>(mesh.elements().size()); ++e) {
     const auto weights = stiffness.segment(e * strains.rows(), strains.rows());
-    const Matrix matrix = strains.transpose() * weights.asDiagonal() * strains;
+    const Matrix matrix = transposed_product<double>(weights.asDiagonal() * strains, strains);
     upper_.push_back(matrix.llt().matrixU());
   }
 }

@@ -7,6 +7,7 @@
 
 #include "graze/base/detail/stop_scope.hpp"
 #include "graze/base/linalg/detail/linear_equations.hpp"
+#include "graze/base/linalg/detail/products.hpp"
 
 namespace graze {
 namespace {
@@ -85,10 +86,10 @@ class Decoupling {
         const ResolventCell& row = cells_[i];
         const Eigen::Index below = row.first + row.size;
         const Eigen::Index count = column.first + column.size - below;
-        Matrix left = schur_.block(row.first, below, row.size, count) *
-                      y_.block(below, column.first, count, column.size);
-        left -= y_.block(row.first, below, row.size, count) *
-                d_.block(below, column.first, count, column.size);
+        Matrix left = product<double>(schur_.block(row.first, below, row.size, count),
+                                      y_.block(below, column.first, count, column.size));
+        left -= product<double>(y_.block(row.first, below, row.size, count),
+                                d_.block(below, column.first, count, column.size));
         if (row.cluster == column.cluster) {
           d_.block(row.first, column.first, row.size, column.size) = left;
           continue;
@@ -116,7 +117,7 @@ std::vector<InvariantBlock> invariant_blocks(const Matrix& matrix, double larges
   if (schur.info() != Eigen::Success) return whole;
   Decoupling decoupling(schur.matrixT());
   if (!decoupling.run(largest)) return whole;
-  const Matrix basis = schur.matrixU() * decoupling.transformation();
+  const Matrix basis = product<double>(schur.matrixU(), decoupling.transformation());
   const Matrix coordinates = decoupling.transformation().triangularView<Eigen::UnitUpper>().solve(
       Matrix(schur.matrixU().transpose()));
   std::vector<InvariantBlock> blocks;

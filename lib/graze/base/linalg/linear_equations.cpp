@@ -2,8 +2,10 @@
 
 #include <cmath>
 
-template class Eigen::PartialPivLU<Eigen::MatrixXd>;
-template class Eigen::PartialPivLU<Eigen::MatrixXcd>;
+// What is used here; all of the class would instantiate products of triangles too.
+template void Eigen::PartialPivLU<Eigen::MatrixXd>::compute();
+template double Eigen::PartialPivLU<Eigen::MatrixXd>::determinant() const;
+template void Eigen::PartialPivLU<Eigen::MatrixXcd>::compute();
 
 namespace graze {
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "graze/base/linalg/detail/arithmetic.hpp"
+#include "graze/base/linalg/detail/products.hpp"
 
 namespace graze {
 namespace {
@@ -133,9 +134,9 @@ bool PeriodicHessenberg::split_off(std::size_t factor) {
     if (size > 0.0) columns.col(j) /= size;
   }
   const Matrix basis = Eigen::ColPivHouseholderQR<Matrix>(columns).householderQ();
-  factors_[0].topRows(w) = (basis.transpose() * factors_[0].topRows(w)).eval();
+  factors_[0].topRows(w) = transposed_product<double>(basis, factors_[0].topRows(w));
   factors_[0].block(rank, 0, w - rank, w).setZero();
-  factors_[1].topLeftCorner(w, w) = (factors_[1].topLeftCorner(w, w) * basis).eval();
+  factors_[1].topLeftCorner(w, w) = product<double>(factors_[1].topLeftCorner(w, w), basis);
   for (std::size_t i = 1; i < factors_.size(); ++i)
     for (Index j = 0; j + 1 < w; ++j) reflect(i, j, w - j, j, w);
   active_ = rank;

@@ -7,6 +7,7 @@
 
 #include "graze/base/linalg/detail/arithmetic.hpp"
 #include "graze/base/linalg/detail/linear_equations.hpp"
+#include "graze/base/linalg/detail/products.hpp"
 
 namespace graze {
 namespace {
@@ -127,7 +128,9 @@ double JumpAndFlow::norm() const {
   back.bottomRows(n) = qv.asDiagonal() * flown.topRows(n) + vv.asDiagonal() * flown.bottomRows(n);
   const double square = qq.squaredNorm() + qv.squaredNorm() + vq.squaredNorm() + vv.squaredNorm() +
                         2.0 * back.cwiseProduct(to).sum() +
-                        (flown.transpose() * flown).cwiseProduct(to.transpose() * to).sum();
+                        transposed_product<double>(flown, flown)
+                            .cwiseProduct(transposed_product<double>(to, to))
+                            .sum();
   return std::sqrt(std::max(square, 0.0));
 }
 
@@ -261,8 +264,9 @@ double SecularFunction::trace() const {
 // |I + P Q^T|^2 = 2n + 2 tr P^T Q + tr P^T P Q^T Q.
 double SecularFunction::jump_norm(std::size_t factor) const {
   const Matrix &p = factors_[factor].from, &q = factors_[factor].to;
-  const double square = static_cast<double>(p.rows()) + 2.0 * p.cwiseProduct(q).sum() +
-                        (p.transpose() * p).cwiseProduct(q.transpose() * q).sum();
+  const double square =
+      static_cast<double>(p.rows()) + 2.0 * p.cwiseProduct(q).sum() +
+      transposed_product<double>(p, p).cwiseProduct(transposed_product<double>(q, q)).sum();
   return std::sqrt(std::max(square, 0.0));
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "graze/base/linalg/detail/dense_factors.hpp"
+#include "graze/base/linalg/detail/products.hpp"
 #include "graze/base/units.hpp"
 #include "graze/motion/detail/contact_audit.hpp"
 #include "graze/motion/detail/motion.hpp"
@@ -115,7 +116,8 @@ bool Motion<Real>::pulls(const std::vector<int>& held) const {
                   row.cwiseAbs().dot(size);
   }
   const Matrix_ sharing = PivotedLu<Real>(pressing(held)).inverse();
-  return ((sharing * push + sharing.cwiseAbs() * rounding).array() < 0).any();
+  return ((image<Real>(sharing, push) + image<Real>(sharing.cwiseAbs(), rounding)).array() < 0)
+      .any();
 }
 
 // q'.M q', twice the kinetic energy.

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "graze/base/linalg/detail/dense_factors.hpp"
+#include "graze/base/linalg/detail/products.hpp"
 #include "graze/contact/detail/complementarity.hpp"
 #include "graze/motion/detail/motion.hpp"
 #include "graze/system/detail/gap_value.hpp"
@@ -304,10 +305,10 @@ bool Motion<Real>::is_independent(int i, const std::vector<int>& list) const {
   for (std::size_t a = 0; a < list.size(); ++a)
     rows.col(static_cast<Eigen::Index>(a)) = stop(list[a]).row;
   const RealVector<Real>& row = stop(i).row;
-  const RealVector<Real> share =
-      PivotedLu<Real>(rows.transpose() * rows).solve(rows.transpose() * row);
+  const RealVector<Real> share = PivotedLu<Real>(transposed_product<Real>(rows, rows))
+                                     .solve(transposed_image<Real>(rows, row));
   // Half of the digits: nearer rows could not be told apart by their forces.
-  return (row - rows * share).squaredNorm() >
+  return (row - image<Real>(rows, share)).squaredNorm() >
          std::numeric_limits<double>::epsilon() * row.squaredNorm();
 }
 

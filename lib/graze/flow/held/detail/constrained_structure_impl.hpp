@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "graze/base/linalg/detail/dense_factors.hpp"
+#include "graze/base/linalg/detail/products.hpp"
 #include "graze/flow/exact/detail/exact_flow_impl.hpp"
 #include "graze/flow/held/detail/constrained_structure.hpp"
 #include "graze/flow/held/detail/contact_share.hpp"
@@ -70,7 +71,8 @@ void ConstrainedStructure<Real>::reduce(const System& system) {
   using namespace constrained_structure_detail;
   rows = rows_of(system, constrained).template cast<Real>();
   directions = directions_of(system, constrained).template cast<Real>();
-  shares = rows * PivotedLu<Real>(directions.transpose() * rows).inverse();
+  shares =
+      product<Real>(rows, PivotedLu<Real>(transposed_product<Real>(directions, rows)).inverse());
   const Eigen::Index n = rows.rows(), k = rows.cols(), m = n - k;
   const RealMatrix<Real> all = orthonormal_columns<Real>(rows, n);
   RealVector<Real> gaps(k);
@@ -78,14 +80,14 @@ void ConstrainedStructure<Real>::reduce(const System& system) {
     gaps[i] =
         Real(system.stops[static_cast<std::size_t>(constrained[static_cast<std::size_t>(i)])].gap);
   // The shortest q with B^T q = a.
-  rest = rows * PivotedLu<Real>(rows.transpose() * rows).solve(gaps);
+  rest = image<Real>(rows, PivotedLu<Real>(transposed_product<Real>(rows, rows)).solve(gaps));
   basis = all.rightCols(m);
   reduced.omega.resize(m);
   stretched.resize(n, m);
   if (m > 0) {
     const RealMatrix<Real> root = whole.omega.asDiagonal() * basis;
     const SingularValues<Real> factors = singular_values<Real>(root);
-    basis = (basis * factors.right).rowwise().reverse().eval();
+    basis = product<Real>(basis, factors.right).rowwise().reverse();
     reduced.omega = factors.values.reverse();
     // Within the error of the singular values a mode is free.
     const Real smallest =
@@ -111,7 +113,7 @@ void ConstrainedStructure<Real>::reduce(const System& system) {
     reduced.delta[j] =
         damping ? Real(damping->alpha + damping->beta * reduced.omega[j] * reduced.omega[j])
                 : Real(whole.delta.dot(basis.col(j).cwiseAbs2()));
-  if (whole.forced) reduced.amplitude = basis.transpose() * whole.amplitude;
+  if (whole.forced) reduced.amplitude = transposed_image<Real>(basis, whole.amplitude);
   reduced.load = balanced_load();
 }
 
@@ -119,8 +121,8 @@ void ConstrainedStructure<Real>::reduce(const System& system) {
 // returns the load that is left to modes too soft for it.
 template <class Real>
 RealVector<Real> ConstrainedStructure<Real>::balanced_load() {
-  RealVector<Real> load = -stretched.transpose() * whole.omega.cwiseProduct(rest);
-  if (whole.load.size() > 0) load += basis.transpose() * whole.load;
+  RealVector<Real> load = -transposed_image<Real>(stretched, whole.omega.cwiseProduct(rest));
+  if (whole.load.size() > 0) load += transposed_image<Real>(basis, whole.load);
   for (Eigen::Index j = 0; j < load.size(); ++j) {
     const Real w = reduced.omega[j];
     if (!(w > 0 && exact_flow_detail::rests_within_reach(load[j], w, whole.reach))) continue;
@@ -154,8 +156,8 @@ std::vector<Observable<Real>> ConstrainedStructure<Real>::observables(const Syst
     }
     if (!is_free()) {
       seen.constant += seen.displacement.dot(rest);
-      seen.displacement = (basis.transpose() * seen.displacement).eval();
-      if (seen.velocity.size() > 0) seen.velocity = (basis.transpose() * seen.velocity).eval();
+      seen.displacement = transposed_image<Real>(basis, seen.displacement);
+      if (seen.velocity.size() > 0) seen.velocity = transposed_image<Real>(basis, seen.velocity);
     }
     list.push_back(std::move(seen));
   }
