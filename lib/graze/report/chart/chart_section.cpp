@@ -17,11 +17,13 @@ Chart section_chart(const SimulationRecord& record) {
   std::map<int, ChartSeries> seen;
   const auto add = [&](int stop) {
     const auto index = static_cast<std::size_t>(stop);
-    ChartSeries series = dots_of({.id = fmt::format("section{}", stop + 1),
-                                  .colour = curve_colours()[index % curve_colours().size()],
-                                  .mark = MarkShape::kDot});
+    Look look = dot_look("periodic");
+    look.id = fmt::format("section{}", stop + 1);
+    look.title.clear();
+    look.colour = curve_colours()[index % curve_colours().size()];
     // Dots shrink as they crowd.
-    series.look.size = crowded_dot_size(section.points().size(), 0.35);
+    look.size *= crowded_dot_size(section.points().size(), 0.35);
+    ChartSeries series = dots_of(look);
     seen.emplace(stop, std::move(series));
   };
   if (is_of_impacts)
