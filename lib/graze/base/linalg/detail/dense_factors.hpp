@@ -38,8 +38,7 @@ template <class Real>
 SingularValues<Real> singular_values(const RealMatrix<Real>& matrix);
 
 // Values and right vectors alone (U stays empty) of a matrix of at least as many rows as columns. A
-// large one by two diagonals and sweeps (Golub and Kahan), whose values have an error of about eps
-// times the largest one.
+// large one by divide and conquer, whose values have an error of about eps times the largest one.
 SingularValues<double> right_singular_vectors(const RealMatrix<double>& matrix);
 
 // The first `count` columns of an orthogonal matrix whose first k columns span those of `matrix`
