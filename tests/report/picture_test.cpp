@@ -243,7 +243,9 @@ TEST(ChartOfBranches, ShowsEveryImpactOfAnOrbitAsACurveOfItsOwn) {
       lengths.push_back(0);
       continue;
     }
-    if (lengths.back()++ > 0) EXPECT_NEAR(stable->y[i], stable->y[i - 1], 0.011);
+    if (lengths.back()++ > 0) {
+      EXPECT_NEAR(stable->y[i], stable->y[i - 1], 0.011);
+    }
   }
   EXPECT_EQ(lengths, (std::vector<std::size_t>{7, 7}));
   // The fold is marked on both, and named once.
