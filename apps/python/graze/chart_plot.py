@@ -96,7 +96,7 @@ def _draw_cells(axes: Any, panel: Dict[str, Any]) -> None:
     cells = panel["cells"]
     shape = (cells["rows"], cells["columns"])
     edges = [
-        panel[which]["factor"] * np.linspace(*cells[which], count + 1)
+        panel[which]["factor"] * np.linspace(cells[which][0], cells[which][1], count + 1)
         for which, count in (("x", cells["columns"]), ("y", cells["rows"]))
     ]
     style = {"shading": "flat", "rasterized": True}
