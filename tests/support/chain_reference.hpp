@@ -28,6 +28,7 @@ inline Vector chain_acceleration(const System& system, double t, const Vector& q
     sum += system.forcing()->amplitude *
            std::cos(system.forcing()->frequency * t + system.forcing()->phase);
   for (const Stop& stop : system.stops) {
+    if (!stop.is_compliant()) continue;
     const double x = stop.row.dot(q) - stop.gap;
     if (!(x > 0.0)) continue;
     const ContactForce& law = stop.force();
@@ -43,18 +44,23 @@ inline Vector chain_acceleration(const System& system, double t, const Vector& q
   return sum;
 }
 
+// The coefficients of their pair.
+struct DormandPrince {
+  static constexpr double kA[7][6] = {
+      {},
+      {1.0 / 5},
+      {3.0 / 40, 9.0 / 40},
+      {44.0 / 45, -56.0 / 15, 32.0 / 9},
+      {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
+      {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
+      {35.0 / 384, 0.0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
+  static constexpr double kC[7] = {0.0, 0.2, 0.3, 0.8, 8.0 / 9, 1.0, 1.0};
+  static constexpr double kError[7] = {71.0 / 57600,      0.0,        -71.0 / 16695, 71.0 / 1920,
+                                       -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
+};
+
 // The state after the duration; `tolerance` of a step.
 inline State integrated_chain(const Chain& chain, double tolerance = 1e-13) {
-  constexpr std::array<std::array<double, 6>, 6> kA{
-      {{1.0 / 5},
-       {3.0 / 40, 9.0 / 40},
-       {44.0 / 45, -56.0 / 15, 32.0 / 9},
-       {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
-       {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
-       {35.0 / 384, 0.0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}}};
-  constexpr std::array<double, 7> kC{0.0, 0.2, 0.3, 0.8, 8.0 / 9, 1.0, 1.0};
-  constexpr std::array<double, 7> kError{71.0 / 57600,      0.0,        -71.0 / 16695, 71.0 / 1920,
-                                         -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
   const Eigen::Index n = chain.start.q.size();
   Vector z(2 * n);
   z << chain.start.q, chain.start.qdot;
@@ -72,11 +78,11 @@ inline State integrated_chain(const Chain& chain, double tolerance = 1e-13) {
     Vector next;
     for (std::size_t i = 1; i < 7; ++i) {
       next = z;
-      for (std::size_t j = 0; j < i; ++j) next += step * kA[i - 1][j] * k[j];
-      k[i] = slope(t + kC[i] * step, next);
+      for (std::size_t j = 0; j < i; ++j) next += step * DormandPrince::kA[i][j] * k[j];
+      k[i] = slope(t + DormandPrince::kC[i] * step, next);
     }
     Vector error = Vector::Zero(2 * n);
-    for (std::size_t i = 0; i < 7; ++i) error += step * kError[i] * k[i];
+    for (std::size_t i = 0; i < 7; ++i) error += step * DormandPrince::kError[i] * k[i];
     const double part = error.cwiseAbs().maxCoeff() / tolerance;
     if (part <= 1.0 || step < 1e-14 * chain.duration) {
       t = last ? chain.duration : t + step;

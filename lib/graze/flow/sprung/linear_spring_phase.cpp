@@ -78,7 +78,7 @@ bool suits_linear_springs(const System& system, const PhaseKey& key) {
   if (system.modes() > kMostModesOnLinearSprings) return false;
   // A structure that its stops hold altogether has nothing that moves.
   if (static_cast<int>(key.closed.size()) >= system.modes()) return false;
-  if (!key.springs.resting.empty()) return false;
+  if (!key.springs.resting.empty() || !key.untold.empty()) return false;
   const std::vector<int> stops = key.springs.all();
   return std::all_of(stops.begin(), stops.end(), [&](int i) {
     return is_linear(system.stops[static_cast<std::size_t>(i)].force());

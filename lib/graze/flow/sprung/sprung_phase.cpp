@@ -18,12 +18,15 @@ SprungPhase::SprungPhase(const System& system, const PhaseKey& key, SprungEquati
     gaps_.push_back(stop.gap);
   }
   watch(structure_.observables(system), Vector::Ones(structure_.size()));
+  for (std::size_t i = 0; i < rows_.size(); ++i) watches()[i].mobility = rows_[i].norm();
   for (const int i : springs_) spring_rows_.push_back(rows_[static_cast<std::size_t>(i)]);
   for (std::size_t k = 0; k < springs_.size(); ++k) {
     Watch watch;
     watch.spring = static_cast<int>(k);
     watch.of_spring = equations_.springs[k].resting ? SpringWatch::kRest : SpringWatch::kDepth;
+    watch.leaving = equations_.springs[k].resting ? Leaving::kAsked : Leaving::kKnown;
     depth_watches_.push_back(watch);
+    watch.leaving = Leaving::kKnown;
     watch.of_spring = equations_.springs[k].loaded ? SpringWatch::kGrip : SpringWatch::kSlack;
     grip_watches_.push_back(watch);
   }

@@ -37,11 +37,15 @@ void IntegratedPhase::state(const double& s, Vector& q, Vector& qdot) const {
 }
 
 // The stop's watch, with Taylor's coefficient of the zero that it starts from.
-const Watch& IntegratedPhase::watch_of(int stop, int multiplicity, double sure) {
+const Watch& IntegratedPhase::watch_of(int stop, Contact at, int multiplicity, double sure) {
   Watch& watch = watches_[static_cast<std::size_t>(stop)];
-  watch.multiplicity = multiplicity;
+  const bool is_closed = at == Contact::kClosed;
+  watch.multiplicity = is_closed || sure > 0.0 ? 0 : multiplicity;
   watch.sure = sure;
-  if (multiplicity == 0) return watch;
+  watch.leaving = is_closed && multiplicity > 0       ? Leaving::kAsked
+                  : watch.multiplicity == kLeftUntold ? Leaving::kAwaited
+                                                      : Leaving::kKnown;
+  if (watch.multiplicity == 0 || watch.leaving == Leaving::kAwaited) return watch;
   const double rate =
       multiplicity == 4 ? gap_rate(stop, 3).slope : gap_rate(stop, multiplicity).value;
   watch.departure = rate / std::tgamma(multiplicity + 1.0);
@@ -58,10 +62,10 @@ Arrival<double> IntegratedPhase::first_event(const MotionState<double>& now,
   for (const int i : flight.order) {
     const Contact at = now.contacts[static_cast<std::size_t>(i)];
     if (at == Contact::kLocked || at == Contact::kCompressed || at == Contact::kParted) continue;
-    const double sure = flight.sure_of(i);
     const Watch& watch =
-        watch_of(i, sure > 0.0 ? 0 : now.multiplicities[static_cast<std::size_t>(i)], sure);
-    if (watch.multiplicity > 0 && !(watch.departure > 0.0)) return {ArrivalKind::kTouch, i};
+        watch_of(i, at, now.multiplicities[static_cast<std::size_t>(i)], flight.sure_of(i));
+    if (watch.multiplicity > 0 && watch.leaving == Leaving::kKnown && !(watch.departure > 0.0))
+      return {ArrivalKind::kTouch, i};
     list.push_back(
         {i, &watch, at == Contact::kClosed ? ArrivalKind::kRelease : ArrivalKind::kContact});
   }
@@ -87,13 +91,28 @@ Arrival<double> IntegratedPhase::first_event(const MotionState<double>& now,
   arrival.stop = met.stop;
   arrival.kind = met.kind;
   arrival.below = met.below;
-  if (met.watch->of_spring == SpringWatch::kRest) {
-    arrival.kind = found.beyond ? ArrivalKind::kEntry : ArrivalKind::kTouch;
-    arrival.flight = 0.0;
-    arrival.sure = found.s;
-  }
+  if (!found.errors.empty() && met.watch->leaving != Leaving::kKnown) tell(list, found, arrival);
   arrival.forward = met.watch->factor < 0.0;
   return arrival;
+}
+
+// What was asked for its sign has it since the start.
+void IntegratedPhase::tell(const std::vector<Watched>& list, const StepDescent& found,
+                           Arrival<double>& arrival) {
+  const Watch& watch = *list[static_cast<std::size_t>(found.watch)].watch;
+  arrival.flight = 0.0;
+  arrival.kind = ArrivalKind::kTouch;
+  if (watch.leaving == Leaving::kAwaited) return;
+  arrival.sure = found.s;
+  if (watch.of_spring == SpringWatch::kRest) {
+    if (found.beyond) arrival.kind = ArrivalKind::kEntry;
+    return;
+  }
+  arrival.told = true;
+  force_errors_.assign(watches_.size(), 0.0);
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (list[i].kind == ArrivalKind::kRelease)
+      force_errors_[static_cast<std::size_t>(list[i].stop)] = found.errors[i];
 }
 
 namespace {

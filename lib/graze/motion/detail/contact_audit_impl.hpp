@@ -105,6 +105,7 @@ template <class Real>
 bool Motion<Real>::pulls(const std::vector<int>& held) const {
   RealVector<Real> size;
   const RealVector<Real> acceleration = free_acceleration(&size);
+  if (vanished_ > 0) size += located_size();
   const auto k = static_cast<Eigen::Index>(held.size());
   RealVector<Real> push(k), rounding(k);
   // The instant is rounded too, and forces change meanwhile.

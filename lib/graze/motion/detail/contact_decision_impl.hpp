@@ -28,9 +28,12 @@ template <class Real>
 std::optional<Arrival<Real>> Motion<Real>::decide() {
   if (compliant_.empty()) return decide_rigid();
   decide_moving_springs();
+  not_told_.clear();
   const std::optional<Arrival<Real>> arrival = decide_rigid();
-  if (!arrival) decide_resting_springs();
-  return arrival;
+  if (arrival) return arrival;
+  decide_resting_springs();
+  ask_the_motion();
+  return {};
 }
 
 template <class Real>
@@ -40,7 +43,7 @@ std::optional<Arrival<Real>> Motion<Real>::decide_rigid() {
   std::vector<int> resting, lingering;
   for (const int i : order_) {
     // Left at this instant without speed: what the others do now may hold it back.
-    if (contact(i) == Contact::kDeparting && now_.multiplicities[static_cast<std::size_t>(i)] > 1)
+    if (contact(i) == Contact::kDeparting && multiplicity(i) > 1 && multiplicity(i) != kLeftUntold)
       lingering.push_back(i);
     if (contact(i) != Contact::kTouching) continue;
     // Known to be at rest, or kept at rest by closed stops: then its rate is mere rounding.
@@ -210,6 +213,7 @@ bool Motion<Real>::decide_resting(const std::vector<int>& resting) {
   const auto k = static_cast<Eigen::Index>(candidates.size());
   RealVector<Real> size;
   const RealVector<Real> acceleration = free_acceleration(&size);
+  if (vanished_ > 0) size += located_size();
   RealVector<Real> push(k), rounding(k);
   for (Eigen::Index a = 0; a < k; ++a) {
     const MetStop& s = stop(candidates[static_cast<std::size_t>(a)]);
@@ -255,23 +259,26 @@ Real Motion<Real>::quickest_rate() const {
 template <class Real>
 std::vector<int> Motion<Real>::decide_degenerate(std::vector<int> held, std::vector<int> stops) {
   std::vector<int> kept;
-  // The multiplicity of the zero at which the structure leaves the stop; 0: it stays.
+  constexpr int kUntold = 0, kStays = -1;
+  // The multiplicity of the zero at which the structure leaves the stop, where it does.
   const auto leaves = [&](int i) {
-    if (!is_independent(i, held)) return 0;  // kept there by others
+    if (!is_independent(i, held)) return kStays;  // kept there by others
     ContactPhase<Real>& phase = phase_of(held);
-    if (!phase.refusal().empty()) return 0;
+    if (!phase.refusal().empty()) return kStays;
     start_at_now(phase);
     const CurvePoint<Real> jerk = phase.gap_rate(i, 3);
     if (jerk.value > jerk.noise) return 3;
-    // Where nothing has a closed form no further rate is known.
-    if (jerk.value < -jerk.noise || !phase.sees_ahead()) return 0;
-    return jerk.slope > quickest_rate() * jerk.noise ? 4 : 0;
+    if (jerk.value < -jerk.noise) return kStays;
+    // Where nothing has a closed form no further rate is known; beside springs the motion tells.
+    if (!phase.sees_ahead() || is_sprung()) return kUntold;
+    return jerk.slope > quickest_rate() * jerk.noise ? 4 : kUntold;
   };
-  const auto stays = [&](int i) { return leaves(i) == 0; };
+  const auto stays = [&](int i) { return leaves(i) <= 0; };
   // Each pass keeps one more, so there are no more passes than stops.
   for (auto next = stops.begin(); next != stops.end(); next = stops.begin()) {
     next = std::find_if(stops.begin(), stops.end(), stays);
     if (next == stops.end()) break;
+    if (leaves(*next) == kUntold) not_told_.push_back(*next);
     if (is_independent(*next, held)) held.push_back(*next);
     kept.push_back(*next);
     stops.erase(next);
@@ -282,7 +289,11 @@ std::vector<int> Motion<Real>::decide_degenerate(std::vector<int> held, std::vec
 
 template <class Real>
 void Motion<Real>::hold(int i) {
-  if (contact(i) == Contact::kClosed) return;
+  if (contact(i) == Contact::kClosed) {
+    if (multiplicity(i) == kHeldUntold) changes_.push_back({ArrivalKind::kStick, i});
+    set(i, Contact::kClosed);
+    return;
+  }
   if (!is_independent(i, closed())) {
     set(i, Contact::kLocked);
     return;
@@ -293,7 +304,8 @@ void Motion<Real>::hold(int i) {
 
 template <class Real>
 void Motion<Real>::let_go(int i, int multiplicity) {
-  if (contact(i) == Contact::kClosed) changes_.push_back({ArrivalKind::kRelease, i});
+  if (contact(i) == Contact::kClosed && this->multiplicity(i) != kHeldUntold)
+    changes_.push_back({ArrivalKind::kRelease, i});
   set(i, Contact::kDeparting, multiplicity);
 }
 

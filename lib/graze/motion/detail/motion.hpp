@@ -211,6 +211,13 @@ class Motion {
   std::optional<Arrival<Real>> decide_rigid();
   bool decide_resting(const std::vector<int>& resting);
   std::vector<int> decide_degenerate(std::vector<int> held, std::vector<int> stops);
+  void ask_the_motion();
+  void tell_forces(Arrival<Real>& arrival);
+  std::vector<int> untold() const;
+  void ask_again();
+  void vanish_together(const Real& flight);
+  RealVector<Real> located_size() const;
+  void let_loose(int stop, int multiplicity);
   void hold(int stop);
   void let_go(int stop, int multiplicity);
   Real quickest_rate() const;
@@ -262,6 +269,7 @@ class Motion {
   bool turns_on(const Real& duration) const;
   void stop_joint();
   void arrive_at_joint(bool forward);
+  void land(const Real& flight);
   Arrival<Real> arrive(Arrival<Real> arrival, const Real& until);
   void settle_on(int stop, const Real& flight);
   void touch_simultaneous(const Real& flight);
@@ -299,6 +307,9 @@ class Motion {
   RealVector<Real> sure_speeds_;  // with which velocities the flight starts
   bool undecided_ = false;        // some stop is touching
   bool recheck_ = false;          // closed stops have felt an impulse
+  Real vanished_ = 0;             // s, the flight at whose end forces of closed stops were gone
+  std::vector<int> entered_;      // springs at whose surface the structure is at this instant
+  std::vector<int> not_told_;     // stops that are held though no derivative tells whether they are
   std::vector<Change> changes_;
   std::vector<ImpactShare<Real>> shares_;  // of the last impact
   int arrivals_at_once_ = 0;               // arrivals without flight in a row

@@ -12,9 +12,10 @@
 // the structure there (the force of another spring that has just been entered grows as a higher
 // power of time, and not as a whole one under Hertz's law) the motion tells it: the spring rests in
 // the phase, pressing where its surface is passed, until its depth is more than its error
-// (WalkingFlow::leaves_rest). It has been entered or left since the start of that flight.
+// (WalkingFlow::tells). It has been entered or left since the start of that flight.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "graze/motion/detail/motion.hpp"
@@ -33,9 +34,11 @@ PhaseSprings Motion<Real>::springs() const {
   return springs;
 }
 
-// Beyond the surface, m; zero within the rounding of the gap.
+// Beyond the surface, m; zero within the rounding of the gap, and where it has just been entered,
+// whatever is left of the rounding of bodies that have moved elsewhere.
 template <class Real>
 Real Motion<Real>::depth(int i) const {
+  if (std::find(entered_.begin(), entered_.end(), i) != entered_.end()) return 0;
   return depth_value(stop(i).row, now_.q, stop(i).gap);
 }
 
@@ -117,6 +120,7 @@ void Motion<Real>::decide_moving_springs() {
     if (speed < -rounding) {
       set(i, Contact::kDeparting, 1);
     } else if (speed > rounding || depth(i) > 0) {
+      if (speed > rounding) entered_.push_back(i);
       compress(i);
       changes_.push_back({ArrivalKind::kEntry, i});
       if (!stop(i).force().sets_in_smoothly()) judge_again(Jumped::kForces);
@@ -146,6 +150,7 @@ void Motion<Real>::decide_resting_springs() {
         set(i, Contact::kDeparting, order);
       } else {
         set(i, Contact::kCompressed, order);
+        entered_.push_back(i);
         changes_.push_back({ArrivalKind::kEntry, i});
         phase_ = nullptr;
       }
@@ -200,12 +205,16 @@ void Motion<Real>::arrive_at_spring(Arrival<Real>& arrival) {
   phase_ = nullptr;
   if (contact(i) == Contact::kLocked) {
     set(i, arrival.kind == ArrivalKind::kEntry ? Contact::kCompressed : Contact::kDeparting);
+    if (arrival.kind == ArrivalKind::kEntry) entered_.push_back(i);
     be_sure_of(i, arrival.sure);
     return;
   }
-  // What leaves its surface from rest and is back at once does so by rounding: the motion tells.
-  if (arrival.flight == 0 && multiplicity(i) > 1 && !(depth(i) > 0) &&
-      !(arrival.speed < -speed_rounding(i))) {
+  // What leaves its surface from rest and is back at once does so by rounding, and so does what
+  // leaves it at a speed that its flight does not have: the motion tells.
+  const bool is_rounding = arrival.kind == ArrivalKind::kTouch
+                               ? contact(i) == Contact::kDeparting
+                               : multiplicity(i) > 1 && !(arrival.speed < -speed_rounding(i));
+  if (arrival.flight == 0 && is_rounding && !(depth(i) > 0)) {
     if (arrival.kind == ArrivalKind::kContact) arrival.kind = ArrivalKind::kTouch;
     set(i, Contact::kLocked, 1);
     return;

@@ -37,6 +37,8 @@ struct Arrival {
   // Of a spring at whose surface the structure was resting: entered, or left, from the start of the
   // arc on, for so long at least, s.
   Real sure = 0;
+  // The sign of a contact force that was zero at the start is certain `sure` seconds after it.
+  bool told = false;
 
   // Whether the motion does not go on.
   bool fails() const {

@@ -48,6 +48,9 @@ struct PhaseKey {
   std::vector<int> closed;  // indices of stops with linearly independent rows
   PhaseSprings springs{};
   Joint joint = Joint::kFree;  // of a hub with friction
+  // Beside springs: rigid stops, closed or open, of which no derivative tells how the contact force
+  // or the gap leaves zero.
+  std::vector<int> untold{};
   auto operator<=>(const PhaseKey&) const = default;
 };
 
@@ -106,6 +109,9 @@ class ContactPhase {
   virtual Real force_at(int stop, const Real& s, const RealVector<Real>& q,
                         const RealVector<Real>& qdot) const = 0;
   virtual Real force_rate(int stop) const = 0;
+  // What of a contact force may be an error where the last search ended because one of them was
+  // told (Arrival::told), N in units of the modal mass.
+  virtual Real force_error(int /*stop*/) const { return 0; }
   // Whether the motion is known ahead, with bounds; what follows is asked for only then.
   virtual bool sees_ahead() const { return false; }
   // At the start of the arc, a derivative of the gap of an open stop, which the structure is on, or

@@ -247,11 +247,12 @@ FirstZero<Real> first_contact(const ArcCurve<Real>& curve, int multiplicity, con
 }
 
 // The first instant at which a contact force falls through zero. Where it only comes within its
-// rounding of zero and rises again it is still a contact.
+// rounding of zero and rises again it is still a contact. `sure`: up to then it is known to press.
 template <class Real>
-FirstZero<Real> first_release(const ArcCurve<Real>& force, const StopSignal& stop = {}) {
+FirstZero<Real> first_release(const ArcCurve<Real>& force, const StopSignal& stop = {},
+                              const Real& sure = 0) {
   using std::sqrt;
-  Real from = 0;
+  Real from = sure;
   int evaluations = 0;
   const auto sample = [&](const Real& s) { return force.at(s, 0, Reach::kStep); };
   while (evaluations < kMostSearchEvaluations) {

@@ -59,10 +59,10 @@ Arrival<Real> ExactPhase<Real>::first_event(const MotionState<Real>& now,
     if (at == Contact::kLocked || at == Contact::kCompressed || at == Contact::kParted) continue;
     const bool is_closed = at == Contact::kClosed;
     const int multiplicity = now.multiplicities[static_cast<std::size_t>(i)];
-    const FirstZero<Real> zero = is_closed
-                                     ? first_release(force(i, arrival.flight), flight.stop)
-                                     : first_contact(gap(i, arrival.flight, multiplicity > 0),
-                                                     multiplicity, flight.sure_of(i), flight.stop);
+    const FirstZero<Real> zero =
+        is_closed ? first_release(force(i, arrival.flight), flight.stop, flight.sure_of(i))
+                  : first_contact(gap(i, arrival.flight, multiplicity > 0), multiplicity,
+                                  flight.sure_of(i), flight.stop);
     arrival.evaluations += zero.evaluations;
     if (zero.kind == ZeroKind::kNone) continue;
     arrival.stop = i;

@@ -70,9 +70,13 @@ class Sprung {
   // sums of modes that go on from there by kModalErrors as much. Nothing depends on how late it is
   // told: until then the spring presses as it does behind.
   struct Left {
-    double depth = 0.0, error = 0.0;
+    double value = 0.0, error = 0.0;
+    bool is_certain() const { return std::abs(value) > error; }
   };
   Left left(std::size_t spring, const State& z, long long steps) const;
+  // The same of the gap or the contact force of a rigid stop, s seconds after the start, where it
+  // was zero.
+  Left changed(const Watch& watch, double s, const State& z, long long steps) const;
   // Force of a spring, N, and its rate, N/s; 0 where it is not loaded.
   std::size_t springs() const { return contacts_.size(); }
   double force(std::size_t spring, const State& z) const;
@@ -133,6 +137,8 @@ class Sprung {
   double hold_force(int hold, double s, const State& z);
   double hold_rate(int hold, double s, const State& z);
   double gained(const Watch& watch, const State& z) const;
+  // Of each entry of a part of z, after so many steps.
+  Vector errors(const Eigen::Ref<const Vector>& part, long long steps) const;
   Vector spring_push(const State& z) const;
 
   SprungSystem system_;
@@ -166,12 +172,15 @@ inline Sprung::Left Sprung::left(std::size_t spring, const State& z, long long s
   const Contact& contact = contacts_[spring];
   const Eigen::Index n = modes();
   const Eigen::Map<const Vector> moved(z.data(), n);
+  return {contact.start + contact.depth.dot(moved),
+          contact.depth.cwiseAbs().dot(errors(moved, steps))};
+}
+
+inline Vector Sprung::errors(const Eigen::Ref<const Vector>& part, long long steps) const {
   const double per_entry = tolerance_ * static_cast<double>(steps);
   const double per_size = relative(tolerance_) * static_cast<double>(steps) +
-                          static_cast<double>(n) * std::numeric_limits<double>::epsilon();
-  const Vector weights = contact.depth.cwiseAbs();
-  return {contact.start + contact.depth.dot(moved),
-          kModalErrors * (per_entry * weights.sum() + per_size * weights.dot(moved.cwiseAbs()))};
+                          static_cast<double>(modes()) * std::numeric_limits<double>::epsilon();
+  return kModalErrors * (per_entry + per_size * part.cwiseAbs().array()).matrix();
 }
 
 inline Sprung::Compression Sprung::compression_rate(std::size_t spring, const State& slope) const {

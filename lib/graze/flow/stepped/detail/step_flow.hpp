@@ -43,6 +43,14 @@ enum class SpringWatch {
   kHold   // constant + weights.x + the force of a hold of a turning structure
 };
 
+// Of a watch that starts at zero: whether it is known how it leaves that. What nobody knows is
+// looked at when it differs from zero by more than its error.
+enum class Leaving {
+  kKnown,
+  kAsked,   // its sign then ends the flight
+  kAwaited  // it is positive, and falls only after that
+};
+
 // An observable to be watched: constant + weights.x + harmonic cos(theta + its phase), and of
 // compressed springs force_weights.F; or a spring's own.
 struct Watch {
@@ -59,6 +67,8 @@ struct Watch {
   double factor = 1.0;  // of the force of a hold
   bool is_told = true;  // its least value is (StepDescent::lowest)
   double sure = 0.0;    // s, up to then it is known to be positive
+  Leaving leaving = Leaving::kKnown;
+  double mobility = 0.0;  // of the force of a stop: the acceleration by 1 N, m/s^2
 };
 
 // A structure on compressed springs, on its displacements y and velocities y':
@@ -114,13 +124,14 @@ struct SprungWorks {
 };
 
 struct StepDescent {
-  int watch = -1;        // which fell through zero first; -1: none did
-  double s = 0.0;        // where; else the end of the window, or the last place that is known
-  bool finite = true;    // the state stayed in range
-  bool beyond = false;   // of a spring that rests: its surface is passed, not left
-  bool stopped = false;  // the stop signal ended it
-  double lowest = 0.0;   // least value of any watch at the ends of the steps
-  long long values = 0;  // of observables, taken in search of the zero
+  int watch = -1;       // which fell through zero first; -1: none did
+  double s = 0.0;       // where; else the end of the window, or the last place that is known
+  bool finite = true;   // the state stayed in range
+  bool beyond = false;  // of a watch that was asked for its sign: it became positive
+  std::vector<double> errors{};  // then, of every watch that was
+  bool stopped = false;          // the stop signal ended it
+  double lowest = 0.0;           // least value of any watch at the ends of the steps
+  long long values = 0;          // of observables, taken in search of the zero
 };
 
 class StepFlow {

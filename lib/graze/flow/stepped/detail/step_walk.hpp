@@ -15,6 +15,7 @@
 #include "graze/base/angle.hpp"
 #include "graze/base/detail/bracketed_zero.hpp"
 #include "graze/base/detail/stop_scope.hpp"
+#include "graze/flow/stepped/detail/sprung_rates_changed_impl.hpp"
 #include "graze/flow/stepped/detail/sprung_rates_turning_impl.hpp"
 #include "graze/flow/stepped/detail/step_methods.hpp"
 #include "graze/flow/stepped/detail/step_rates.hpp"
@@ -52,13 +53,16 @@ class WalkingFlow final : public StepFlow {
     StepDescent found;
     found.s = window;
     found.lowest = std::numeric_limits<double>::infinity();
+    live_.clear();
+    for (const Watch* watch : watches)
+      live_.push_back(watch->leaving == Leaving::kKnown ? watch->sure : found.lowest);
     if constexpr (kSprung) {
       slopes_.clear();
       // What leaves a known zero rises; the sign of its rate may be rounding.
-      for (const Watch* watch : watches)
-        slopes_.push_back(watch->multiplicity > 0 || watch->sure > 0.0 || rests(*watch)
+      for (std::size_t i = 0; i < watches.size(); ++i)
+        slopes_.push_back(watches[i]->multiplicity > 0 || live_[i] > 0.0
                               ? 0.0
-                              : walk_.rates.rate(*watch, 0.0, start_));
+                              : walk_.rates.rate(*watches[i], 0.0, start_));
     }
     [[maybe_unused]] long long steps = 0;
     for (double from = 0.0; from < std::min(window, until) && found.watch < 0;) {
@@ -72,8 +76,12 @@ class WalkingFlow final : public StepFlow {
       if constexpr (kSprung) {
         if (end < walk_.to()) walk_.between(end, last_);
         const State& x = end < walk_.to() ? last_ : walk_.state_at_end();
-        if (leaves_rest(watches, x, ++steps, found))
-          return well_left(watches, end, steps, window, found);
+        if (tells(watches, x, end, ++steps, found)) {
+          found.s = end;
+          return watches[static_cast<std::size_t>(found.watch)]->of_spring == SpringWatch::kRest
+                     ? well_left(watches, end, steps, window, found)
+                     : found;
+        }
       }
       const int parts = parts_of(end - from);
       double part_from = from;
@@ -160,7 +168,7 @@ class WalkingFlow final : public StepFlow {
     const State& x = end < walk_.to() ? last_ : walk_.state_at_end();
     found.values += static_cast<long long>(watches.size());
     for (std::size_t i = 0; i < watches.size(); ++i) {
-      if (rests(*watches[i]) || end <= watches[i]->sure) continue;
+      if (end <= live_[i]) continue;
       const double there = walk_.rates.observed(*watches[i], end, x);
       if (!std::isfinite(there)) return false;
       if (end <= until && watches[i]->is_told) found.lowest = std::min(found.lowest, there);
@@ -255,7 +263,7 @@ class WalkingFlow final : public StepFlow {
   std::optional<double> fall(std::span<const Watch* const> watches, std::size_t i, double from,
                              double end, double there, double until, StepDescent& found) {
     const Watch& watch = *watches[i];
-    const double begin = std::max(from, watch.sure);
+    const double begin = std::max(from, live_[i]);
     if constexpr (kSprung) {
       const State& x = end < walk_.to() ? last_ : walk_.state_at_end();
       const double slope = walk_.rates.rate(watch, end, x);
@@ -267,22 +275,50 @@ class WalkingFlow final : public StepFlow {
     return locate(watch, begin, end, there, found.values);
   }
 
-  static bool rests(const Watch& watch) { return watch.of_spring == SpringWatch::kRest; }
-
-  // Whether a spring's depth, which started at zero, differs from it for certain; else what it does
-  // makes no difference yet.
-  bool leaves_rest(std::span<const Watch* const> watches, const State& x, long long steps,
-                   StepDescent& found) const {
+  // Whether a watch that is asked for its sign, and started at zero, differs from it for certain;
+  // else what it does makes no difference yet. A contact force that may still have to be none is
+  // counted among the errors of depths.
+  bool tells(std::span<const Watch* const> watches, const State& x, double end, long long steps,
+             StepDescent& found) {
+    double pull = 0.0;  // m/s^2
+    found.errors.assign(watches.size(), 0.0);
     for (std::size_t i = 0; i < watches.size(); ++i) {
-      if (!rests(*watches[i])) continue;
-      const auto [depth, error] =
-          walk_.rates.left(static_cast<std::size_t>(watches[i]->spring), x, steps);
-      if (!(std::abs(depth) > error)) continue;
+      const Watch& watch = *watches[i];
+      if (watch.leaving == Leaving::kKnown || watch.of_spring == SpringWatch::kRest ||
+          end > live_[i])
+        continue;
+      const auto changed = walk_.rates.changed(watch, end, x, steps);
+      found.errors[i] = changed.error;
+      if (watch.leaving == Leaving::kAsked) pull += changed.error * watch.mobility;
+      if (!changed.is_certain()) continue;
+      live_[i] = end;
+      if (watch.leaving == Leaving::kAwaited && changed.value > 0.0) continue;
       found.watch = static_cast<int>(i);
-      found.beyond = depth > 0.0;
-      return true;
+      found.beyond = changed.value > 0.0;
     }
-    return false;
+    for (std::size_t i = 0; i < watches.size() && found.watch < 0; ++i) {
+      if (watches[i]->of_spring != SpringWatch::kRest) continue;
+      const auto spring = static_cast<std::size_t>(watches[i]->spring);
+      auto left = walk_.rates.left(spring, x, steps);
+      left.error += 0.5 * end * end * pull * walk_.rates.system().springs[spring].row.norm();
+      if (!left.is_certain()) continue;
+      found.watch = static_cast<int>(i);
+      found.beyond = left.value > 0.0;
+    }
+    return found.watch >= 0;
+  }
+
+  bool happens_nothing(std::span<const Watch* const> watches, const State& x, double end,
+                       long long steps) {
+    for (std::size_t i = 0; i < watches.size(); ++i) {
+      const Watch& watch = *watches[i];
+      if (watch.of_spring == SpringWatch::kRest) continue;
+      if (end > live_[i] ? !(walk_.rates.observed(watch, end, x) > 0.0)
+                         : watch.leaving != Leaving::kKnown &&
+                               walk_.rates.changed(watch, end, x, steps).is_certain())
+        return false;
+    }
+    return true;
   }
 
   // From there on the spring is followed as long as it gets away and nothing else happens, for
@@ -296,9 +332,7 @@ class WalkingFlow final : public StepFlow {
     for (;;) {
       const State& x = end < walk_.to() ? last_ : walk_.state_at_end();
       const auto [depth, error] = walk_.rates.left(spring, x, steps++);
-      const bool goes_on = std::all_of(watches.begin(), watches.end(), [&](const Watch* watch) {
-        return rests(*watch) || end <= watch->sure || walk_.rates.observed(*watch, end, x) > 0.0;
-      });
+      const bool goes_on = happens_nothing(watches, x, end, steps);
       if (away > 0.0 && (!(sign * depth > away) || !goes_on)) return found;
       found.s = end;
       away = sign * depth;
@@ -357,6 +391,7 @@ class WalkingFlow final : public StepFlow {
   State start_, within_, last_, at_end_;
   std::vector<Peak> peaks_;
   std::vector<double> slopes_;  // of the watches, at the end of the step before
+  std::vector<double> live_;    // s, from when on falls of the watches are falls
 };
 
 }  // namespace step_walk

@@ -22,6 +22,9 @@ class IntegratedPhase : public ContactPhase<double> {
   Arrival<double> first_event(const MotionState<double>& now,
                               const Flight<double>& flight) override;
   long long evaluations() const override { return steps_->evaluations(); }
+  double force_error(int stop) const override {
+    return force_errors_[static_cast<std::size_t>(stop)];
+  }
 
  protected:
   struct Watched {
@@ -48,10 +51,12 @@ class IntegratedPhase : public ContactPhase<double> {
   virtual std::optional<Arrival<double>> left_at_once(const MotionState<double>& /*now*/) const {
     return {};
   }
-  const Watch& watch_of(int stop, int multiplicity, double sure);
+  const Watch& watch_of(int stop, Contact at, int multiplicity, double sure);
+  void tell(const std::vector<Watched>& list, const StepDescent& found, Arrival<double>& arrival);
 
   Vector scale_;
   std::vector<Watch> watches_;
+  std::vector<double> force_errors_;  // of every stop, N
   std::unique_ptr<StepFlow> steps_;
 };
 

@@ -1,0 +1,161 @@
+// Definitions of motion.hpp: what becomes of the motion at the end of a flight.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "graze/motion/detail/motion.hpp"
+#include "graze/system/detail/gap_value.hpp"
+
+namespace graze {
+
+// After a flight, before it is known what lies at its end.
+template <class Real>
+void Motion<Real>::land(const Real& flight) {
+  sure_.clear();
+  entered_.clear();
+  vanished_ = 0;
+  phase_->state(flight, now_.q, now_.qdot);
+  audit_gaps(flight);
+  // A stop that has hardly been left still counts as touched: the sign of its gap is rounding.
+  for (const int i : all_)
+    if (contact(i) == Contact::kDeparting)
+      set(i, touches(i) ? Contact::kTouching : Contact::kClear);
+  ask_again();
+  if (recheck_) vanished_ = flight;
+  turn_directions();
+  for (const int i : compliant_) {
+    if (contact(i) == Contact::kLocked && multiplicity(i) == 0)
+      set(i, touches(i) ? Contact::kTouching : Contact::kClear);
+    else if (contact(i) == Contact::kCompressed || contact(i) == Contact::kParted)
+      set(i, contact(i));
+  }
+}
+
+template <class Real>
+Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
+  using std::isfinite;
+  flown_ = phase_;
+  const bool whole = arrival.flight == until - now_.instant.local;
+  if (arrival.flight > 0) land(arrival.flight);
+  now_.instant.local = whole ? until : Real(now_.instant.local + arrival.flight);
+  if (now_.instant.local >= clock_.period()) {
+    ++now_.instant.period;
+    now_.instant.local = 0;
+  }
+  if (!isfinite(now_.instant.local)) {
+    arrival.kind = ArrivalKind::kNotFinite;
+    return arrival;
+  }
+  for (Eigen::Index j = 0; j < now_.q.size(); ++j)
+    if (!isfinite(now_.q[j]) || !isfinite(now_.qdot[j])) {
+      arrival.kind = ArrivalKind::kNotFinite;
+      return arrival;
+    }
+  if (broken_) {
+    arrival.kind = broken_->kind;
+    arrival.stop = broken_->stop;
+    return arrival;
+  }
+  eventful_ = arrival.kind != ArrivalKind::kTime;
+  if (arrival.stop >= 0 && stop(arrival.stop).is_compliant() &&
+      arrival.kind != ArrivalKind::kTime && arrival.kind != ArrivalKind::kUndecided) {
+    arrive_at_spring(arrival);
+    if (arrival.kind == ArrivalKind::kSeparation || arrival.kind == ArrivalKind::kLeft)
+      vanish_together(arrival.flight);
+    return arrival;
+  }
+  if (arrival.told) {
+    tell_forces(arrival);
+    return arrival;
+  }
+  switch (arrival.kind) {
+    case ArrivalKind::kJoint: {
+      // Friction jumps where the joint has turned until now; what turns it again grows up to it.
+      const bool stops = now_.joint != Joint::kHeld;
+      arrive_at_joint(arrival.forward);
+      if (stops) judge_again(Jumped::kForces);
+      break;
+    }
+    case ArrivalKind::kContact:
+      // A gap that touches zero without approaching has nothing to undo: a grazing from outside, or
+      // a point within rounding of one.
+      arrival.speed = approach_speed(arrival.stop);
+      if (!(arrival.speed > 0)) arrival.kind = ArrivalKind::kTouch;
+      [[fallthrough]];
+    case ArrivalKind::kTouch:
+      set(arrival.stop, Contact::kTouching);
+      if (arrival.kind == ArrivalKind::kContact) {
+        settle_on(arrival.stop, arrival.flight);
+        touch_simultaneous(arrival.flight);
+      }
+      break;
+    case ArrivalKind::kRelease:
+      let_loose(arrival.stop, 3);
+      vanish_together(arrival.flight);
+      break;
+    default:
+      break;
+  }
+  return arrival;
+}
+
+// Other stops whose gap vanishes at the located instant, within its rounding and that of time.
+template <class Real>
+void Motion<Real>::touch_simultaneous(const Real& flight) {
+  using std::abs;
+  const Real eps = std::numeric_limits<Real>::epsilon();
+  const Real shape = now_.q.norm(), speed = now_.qdot.norm();
+  for (const int i : order_) {
+    if (contact(i) != Contact::kClear || i == left_out_) continue;
+    // By their sizes first: of many stops nearly all are far away.
+    const MetStop& s = stop(i);
+    const Real most =
+        Real(static_cast<int>(now_.q.size()) + 2) * eps * (abs(s.gap) + s.norm * shape) +
+        eps * (now_.instant.local + flight) * s.norm * speed;
+    if (this->gap(i) > 2 * most) continue;
+    const GapValue<Real> gap = gap_value(stop(i).row, now_.q, stop(i).gap);
+    const Real moved = eps * (now_.instant.local + flight) * abs(approach_speed(i));
+    if (!(gap.value <= gap.rounding + moved)) continue;
+    set(i, Contact::kTouching);
+    settle_on(i, flight);
+  }
+}
+
+// The located instant is rounded, the contact is not: row.q = gap holds as an identity, and the
+// next arc starts from it. The offset, small against the present motion, would outlive a decaying
+// one. Each mode takes of it by the square of how far it moves, as rounding has spread it: none is
+// changed beyond its own last digits, and the energy, mostly of stiff modes, hardly at all.
+template <class Real>
+void Motion<Real>::settle_on(int i, const Real& flight) {
+  using std::abs;
+  const MetStop& s = stop(i);
+  const auto moves = [&](Eigen::Index j) {
+    const Real w = linear_.omega[j];
+    return Real(abs(now_.q[j]) + abs(now_.qdot[j]) * (w * flight > 1 ? Real(1 / w) : flight));
+  };
+  // In parts of the largest, whose square might be out of range.
+  Real largest = 0;
+  for (Eigen::Index j = 0; j < now_.q.size(); ++j) largest = std::max(largest, moves(j));
+  const auto share = [&](Eigen::Index j) {
+    const Real part = largest > 0 ? Real(moves(j) / largest) : Real(0);
+    return Real(s.row[j] * part * part);
+  };
+  Real whole = 0;
+  for (Eigen::Index j = 0; j < now_.q.size(); ++j) whole += s.row[j] * share(j);
+  const Real offset = s.gap - s.row.dot(now_.q);
+  if (whole > 0)
+    for (Eigen::Index j = 0; j < now_.q.size(); ++j) now_.q[j] += offset * (share(j) / whole);
+  else
+    now_.q += (offset / s.row.squaredNorm()) * s.row;
+  // What is left is rounding of what it was: where the gap is zero, more than that of what it is.
+  const GapValue<Real> left = gap_value(s.row, now_.q, s.gap);
+  if (!(abs(left.value) > left.rounding)) return;
+  Eigen::Index most = 0;
+  s.row.cwiseAbs().maxCoeff(&most);
+  now_.q[most] = 0;
+  now_.q[most] = (s.gap - s.row.dot(now_.q)) / s.row[most];
+}
+
+}  // namespace graze

@@ -1,0 +1,159 @@
+// Definitions of motion.hpp: rigid stops on which the structure rests beside springs that are only
+// just entered.
+//
+// Neither the push nor its rate tells whether such a stop holds the structure or is left: the
+// springs press as higher powers of time, under Hertz's law not even as whole ones. The structure
+// is held there, and the motion tells, as it does of springs: the first instant at which a contact
+// force is more than its error (WalkingFlow::tells) shows the lowest power that does not vanish.
+// The pushes there, which are those of that power, are shared out by complementarity; the motion
+// then begins again at the same instant.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "graze/base/linalg/detail/dense_factors.hpp"
+#include "graze/contact/detail/complementarity.hpp"
+#include "graze/motion/detail/motion.hpp"
+
+namespace graze {
+
+// Of what is held, unless nothing moves it there. Nobody is told that it is held before it is
+// known.
+template <class Real>
+void Motion<Real>::ask_the_motion() {
+  if (not_told_.empty() || turning_) return;
+  const std::vector<bool> moves = moving_modes();
+  for (const int i : not_told_) {
+    if (contact(i) != Contact::kClosed) continue;
+    if (!is_sprung() || !is_moved(i, moves)) {
+      set(i, Contact::kClosed, kHeldIdle);
+      continue;
+    }
+    const bool is_new = std::erase_if(changes_, [&](const Change& change) {
+                          return change.stop == i && change.kind == ArrivalKind::kStick;
+                        }) > 0;
+    set(i, Contact::kClosed, is_new ? kHeldUntold : kHeldBeforeUntold);
+    phase_ = nullptr;
+  }
+}
+
+template <class Real>
+std::vector<int> Motion<Real>::untold() const {
+  std::vector<int> list;
+  if (compliant_.empty()) return list;
+  for (const int i : order_)
+    if (contact(i) == Contact::kClosed
+            ? multiplicity(i) == kHeldUntold || multiplicity(i) == kHeldBeforeUntold
+            : contact(i) == Contact::kDeparting && multiplicity(i) == kLeftUntold)
+      list.push_back(i);
+  return list;
+}
+
+// What is held by no force so far is decided again where anything has changed.
+template <class Real>
+void Motion<Real>::ask_again() {
+  if (compliant_.empty()) return;
+  for (const int i : order_)
+    if (contact(i) == Contact::kClosed && multiplicity(i) > 0) undecided_ = recheck_ = true;
+}
+
+// After `arrival.sure` seconds.
+template <class Real>
+void Motion<Real>::tell_forces(Arrival<Real>& arrival) {
+  const std::vector<int> held = closed();
+  const auto k = static_cast<Eigen::Index>(held.size());
+  RealVector<Real> q, qdot, forces(k), rounding(k);
+  phase_->state(arrival.sure, q, qdot);
+  for (Eigen::Index a = 0; a < k; ++a) {
+    const int i = held[static_cast<std::size_t>(a)];
+    const Real norm2 = stop(i).row.squaredNorm();
+    forces[a] = norm2 * phase_->force_at(i, arrival.sure, q, qdot);
+    rounding[a] = norm2 * phase_->force_error(i);
+  }
+  const Matrix_ shares = pressing(held);
+  const RealVector<Real> push = shares * forces;
+  const RealVector<Real> summed = rounding_of_action(shares, forces);
+  const std::optional<RealVector<Real>> shared = solve_contacts(shares, push, summed);
+  if (!shared) {
+    arrival.kind = ArrivalKind::kUndecided;
+    return;
+  }
+  const RealVector<Real> into = push - shares * *shared;
+  arrival.kind = ArrivalKind::kTouch;
+  for (Eigen::Index a = 0; a < k; ++a) {
+    const int i = held[static_cast<std::size_t>(a)];
+    if (multiplicity(i) == 0) continue;
+    // The one that was told is decided.
+    const bool is_asked = i == arrival.stop;
+    if ((*shared)[a] > (is_asked ? summed[a] : rounding[a])) {
+      hold(i);
+      be_sure_of(i, arrival.sure);
+    } else if (is_asked || into[a] < -rounding[a] || forces[a] < -rounding[a]) {
+      if (multiplicity(i) != kHeldUntold) changes_.push_back({ArrivalKind::kRelease, i});
+      let_loose(i, kLeftUntold);
+    }
+  }
+  phase_ = nullptr;
+}
+
+// Where a contact force has come to zero and located the instant, those of other closed stops that
+// are zero within rounding came to it together: bodies in a row, or beside a spring that is left.
+template <class Real>
+void Motion<Real>::vanish_together(const Real& flight) {
+  using std::abs;
+  if (!(flight > 0) || turning_) return;
+  const std::vector<int> held = closed();
+  if (held.empty()) return;
+  vanished_ = flight;
+  RealVector<Real> size;
+  free_acceleration(&size);
+  size += located_size();
+  RealVector<Real> rounding(static_cast<Eigen::Index>(held.size()));
+  for (std::size_t a = 0; a < held.size(); ++a)
+    rounding[static_cast<Eigen::Index>(a)] = push_rounding(held[a], size);
+  const RealVector<Real> errors = PivotedLu<Real>(pressing(held)).inverse().cwiseAbs() * rounding;
+  for (std::size_t a = 0; a < held.size(); ++a)
+    if (multiplicity(held[a]) == 0 && abs(force(held[a])) * stop(held[a]).row.squaredNorm() <=
+                                          errors[static_cast<Eigen::Index>(a)])
+      undecided_ = recheck_ = true;
+  if (!recheck_) vanished_ = 0;
+}
+
+// The size of the terms, m/s^2, whose rounding is that of the acceleration by where and when the
+// last flight was found to end.
+template <class Real>
+RealVector<Real> Motion<Real>::located_size() const {
+  using std::abs;
+  const Real eps = std::numeric_limits<Real>::epsilon();
+  const Real speed = now_.qdot.norm() + departure_.qdot.norm();
+  const Real place = now_.q.norm() + departure_.q.norm() + (now_.instant.local + vanished_) * speed;
+  RealVector<Real> size(now_.q.size());
+  for (Eigen::Index j = 0; j < size.size(); ++j) {
+    size[j] = linear_.omega[j] * linear_.omega[j] * place + 2 * linear_.delta[j] * speed;
+    if (linear_.forced)
+      size[j] += linear_.frequency * (now_.instant.local + vanished_) * abs(linear_.amplitude[j]);
+  }
+  for (const int i : compliant_) {
+    if (contact(i) != Contact::kCompressed) continue;
+    const ContactForce& law = stop(i).force();
+    const auto x = static_cast<double>(abs(depth(i))),
+               v = static_cast<double>(abs(approach_speed(i)));
+    const auto off = static_cast<double>(eps * stop(i).norm * place),
+               faster = static_cast<double>(eps * stop(i).norm * speed);
+    size += (law.at(x + off, v + faster) - law.at(x, v)) / eps * stop(i).row.cwiseAbs();
+  }
+  return size;
+}
+
+// What it kept at rest elsewhere is to be decided again.
+template <class Real>
+void Motion<Real>::let_loose(int i, int multiplicity) {
+  set(i, Contact::kDeparting, multiplicity);
+  phase_ = nullptr;
+  for (const int k : order_)
+    if (contact(k) == Contact::kLocked) set(k, Contact::kTouching, 2);  // at rest there
+}
+
+}  // namespace graze
