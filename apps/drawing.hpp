@@ -6,7 +6,6 @@
 
 #include "command.hpp"
 #include "graze/record/record_names.hpp"
-#include "graze/record/run_picture.hpp"
 #include "graze/record/stored/detail/record_file.hpp"
 #include "graze/report/chart/charts.hpp"
 #include "graze/report/page/detail/page.hpp"
@@ -65,6 +64,7 @@ template <class Record>
 void check_plot(const CommonOptions& command) {
   check_plot(command, kFeatures<Record>);
 }
+
 // Fills in where the beam's shape is shown, as far as a picture or page of the run shows it.
 void place_beam(const CommonOptions& command, const Scene& scene, SimulationRecord& record);
 

@@ -67,11 +67,6 @@ std::vector<DiagramCurve> amplitude_curves(const BranchAmplitudes& amplitudes, c
   return curves;
 }
 
-std::optional<double> shown_height(const BranchRecord& record, const SweepRow& row) {
-  if (!row.amplitudes) return {};
-  return shown_value(*record.shown, record.amplitudes.places, *row.amplitudes);
-}
-
 std::vector<std::vector<DiagramCurve>> stroboscopic_curves(const SystemFamily& family,
                                                            const OrbitBranches& traced) {
   std::vector<std::vector<DiagramCurve>> by_stop(family.scene().stops.size());

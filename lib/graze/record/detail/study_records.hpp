@@ -55,9 +55,6 @@ std::vector<DiagramCurve> amplitude_curves(const BranchRecord& record);
 // The same of another number of them.
 std::vector<DiagramCurve> amplitude_curves(const BranchAmplitudes& amplitudes, const Shown& shown);
 
-// The same of a row of the sweep over them.
-std::optional<double> shown_height(const BranchRecord& record, const SweepRow& row);
-
 // The displacements at each stop at t = 0, T, 2T, .. along the branches.
 std::vector<std::vector<DiagramCurve>> stroboscopic_curves(const SystemFamily& family,
                                                            const OrbitBranches& traced);

@@ -29,9 +29,7 @@ struct PanelDots {
 
   void include(double height) { range.include(std::clamp(height, least, most)); }
   void add(const char* look, double value, double height) {
-    ChartSeries& of = series.try_emplace(look, dots_of(dot_look(look))).first->second;
-    of.x.push_back(value);
-    of.y.push_back(height);
+    add_point(series.try_emplace(look, dots_of(dot_look(look))).first->second, value, height);
     include(height);
   }
 };
@@ -144,14 +142,8 @@ class BranchesChart {
   }
 
   static void add(const BranchLine& line, ChartSeries& series) {
-    if (series.is_line && !series.x.empty()) {
-      series.x.push_back(kNone);
-      series.y.push_back(kNone);
-    }
-    for (const BranchLine::Node& node : line.nodes) {
-      series.x.push_back(node.x);
-      series.y.push_back(node.y);
-    }
+    if (series.is_line && !series.x.empty()) add_point(series, kNone, kNone);
+    for (const BranchLine::Node& node : line.nodes) add_point(series, node.x, node.y);
   }
 
   const SpecialPoint& special_of(const BranchMark& mark) const {
@@ -170,10 +162,7 @@ class BranchesChart {
       if (look.id.empty()) look.id = look.title = label_of(special.kind);
       ChartSeries& series =
           is_real ? by_kind.try_emplace(special.kind, marks_of(look)).first->second : others;
-      for (const double y : mark.y) {
-        series.x.push_back(mark.x);
-        series.y.push_back(y);
-      }
+      for (const double y : mark.y) add_point(series, mark.x, y);
     }
     std::vector<ChartSeries> all = {std::move(others)};
     for (auto& [kind, series] : by_kind) all.push_back(std::move(series));

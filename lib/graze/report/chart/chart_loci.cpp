@@ -17,12 +17,10 @@ constexpr double kLociHeight = 7.0;  // cm
 constexpr double kHeavy = 1.3;       // of few loci, by a branch's line
 
 void add(const OrbitLocus& locus, const LocusPart& part, ChartSeries& series) {
-  for (std::size_t i = part.first; i <= part.last; ++i) {
-    series.x.push_back(locus.points[i].value);
-    series.y.push_back(locus.points[i].second);
-  }
+  for (std::size_t i = part.first; i <= part.last; ++i)
+    add_point(series, locus.points[i].value, locus.points[i].second);
   constexpr double kEnd = std::numeric_limits<double>::quiet_NaN();
-  series.x.push_back(kEnd), series.y.push_back(kEnd);
+  add_point(series, kEnd, kEnd);
 }
 
 }  // namespace
@@ -51,8 +49,7 @@ void add_loci(const OrbitLoci& traced, ChartPanel& panel) {
     for (const LocusPart& part : locus_parts(locus))
       add(locus, part, by_kind.at(part.is_real ? label_of(locus.kind) : "virtual"));
     for (const OrbitLocusSpecial& point : locus.special) {
-      special.x.push_back(point.at.value);
-      special.y.push_back(point.at.second);
+      add_point(special, point.at.value, point.at.second);
       panel.names.push_back({ChartName::Of::kPoint, point.id, {{point.at.value, point.at.second}}});
     }
   }

@@ -24,14 +24,9 @@ ChartSeries line_of(std::string title, Look look) {
   return {.title = std::move(title), .look = std::move(look), .x = {}, .y = {}};
 }
 
-void add(ChartSeries& series, double x, double y) {
-  series.x.push_back(x);
-  series.y.push_back(y);
-}
-
 ChartSeries line_of(const DrawnCurve& curve, std::string title, Look look) {
   ChartSeries series = line_of(std::move(title), std::move(look));
-  for (const DrawnPoint& point : curve) add(series, point.time, point.value);
+  for (const DrawnPoint& point : curve) add_point(series, point.time, point.value);
   return series;
 }
 
@@ -59,10 +54,12 @@ class RunChart {
   // Without a stop it is a modal coordinate, which is no length.
   std::string length() const { return unit_in(units_, no_stops() ? "kg^1/2 m" : "m"); }
   std::string speed() const { return unit_in(units_, no_stops() ? "kg^1/2 m/s" : "m/s"); }
-  // "stop", or "stop 2" where there are several: the first one at the place.
-  std::string stop_name(const SeenPlace& place) const {
-    return several_stops() ? fmt::format("stop {}", place.stops.front().index + 1) : "stop";
+  // "stop", or "stop 2" where there are several.
+  std::string name_of(const SeenStop& stop) const {
+    return several_stops() ? fmt::format("stop {}", stop.index + 1) : "stop";
   }
+  // Of the first one at the place.
+  std::string stop_name(const SeenPlace& place) const { return name_of(place.stops.front()); }
   // Towards the stop, as all that is shown of a place, in the few letters that a low panel is high;
   // probes show u and u'.
   std::string velocity_name(const SeenPlace& place) const {
@@ -121,9 +118,6 @@ class RunChart {
     }
   }
 
-  std::string name_of(const SeenStop& stop) const {
-    return several_stops() ? fmt::format("stop {}", stop.index + 1) : "stop";
-  }
   std::string length_text(double place) const {
     const AxisUnit unit = axis_unit(unit_in(units_, "m"), std::abs(place));
     return fmt::format("{}{:.4g}{}{}", place < 0.0 ? "−" : "", unit.factor * std::abs(place),
@@ -157,12 +151,12 @@ class RunChart {
       panel.remark = "no samples were recorded";
     } else {
       ChartSeries line = line_of("", {.id = "displacement", .colour = kBlue, .width = 1.2});
-      for (const MotionPoint& point : place.motion) add(line, point.time, point.displacement);
+      for (const MotionPoint& point : place.motion) add_point(line, point.time, point.displacement);
       panel.series.push_back(std::move(line));
     }
     ChartSeries touches = marks(place);
     for (std::size_t k = 0; k < place.impacts.size(); k += place.impacts.size() / kMostMarks + 1)
-      add(touches, place.impacts[k].time, place.impacts[k].place);
+      add_point(touches, place.impacts[k].time, place.impacts[k].place);
     if (!touches.x.empty()) panel.series.push_back(std::move(touches));
     put(std::move(panel));
   }
@@ -180,14 +174,14 @@ class RunChart {
     panel.levels = {0.0};
     add_stuck(place, panel);
     ChartSeries line = line_of("", {.id = "velocity", .colour = kBlue, .width = 1.2});
-    for (const MotionPoint& point : place.motion) add(line, point.time, point.velocity);
+    for (const MotionPoint& point : place.motion) add_point(line, point.time, point.velocity);
     if (!record_.samples.empty()) panel.series.push_back(std::move(line));
     ChartSeries jumps =
         line_of("", {.id = "jumps", .colour = kVermillion, .dashes = {6, 4}, .width = 0.8});
     for (const SeenImpact& impact : place.impacts) {
-      add(jumps, impact.time, impact.before);
-      add(jumps, impact.time, impact.after);
-      add(jumps, kGap, kGap);
+      add_point(jumps, impact.time, impact.before);
+      add_point(jumps, impact.time, impact.after);
+      add_point(jumps, kGap, kGap);
     }
     if (!jumps.x.empty() && place.impacts.size() <= kMostJumps)
       panel.series.push_back(std::move(jumps));
@@ -278,12 +272,12 @@ class RunChart {
     if (motion.size() < place.motion.size() && motion.front().time > 0.0)
       panel.heading = "since " + time_text(motion.front().time);
     ChartSeries line = line_of("", {.id = "portrait", .colour = kBlue, .width = 1.0});
-    for (const MotionPoint& point : motion) add(line, point.displacement, point.velocity);
+    for (const MotionPoint& point : motion) add_point(line, point.displacement, point.velocity);
     panel.series.push_back(std::move(line));
     ChartSeries approaches = marks(place);
     for (std::size_t k = 0; k < place.impacts.size(); k += place.impacts.size() / kMostMarks + 1)
       if (place.impacts[k].time >= motion.front().time)
-        add(approaches, place.impacts[k].place, place.impacts[k].before);
+        add_point(approaches, place.impacts[k].place, place.impacts[k].before);
     if (!approaches.x.empty()) panel.series.push_back(std::move(approaches));
     add_rests(place, panel);
     return panel;
@@ -299,7 +293,7 @@ class RunChart {
                                    .title = "at rest on the stop",
                                    .colour = kStuckShade,
                                    .mark = MarkShape::kDot});
-    for (const double at : rests) add(series, at, 0.0);
+    for (const double at : rests) add_point(series, at, 0.0);
     if (!rests.empty()) panel.series.push_back(std::move(series));
   }
 

@@ -31,10 +31,8 @@ Chart section_chart(const SimulationRecord& record) {
   else
     for (const SeenPlace& place : places_of(record.system)) add(place.stops[0].index);
   for (const SectionPoint& point : section.points())
-    if (const auto at = seen.find(point.stop); at != seen.end()) {
-      at->second.x.push_back(point.across);
-      at->second.y.push_back(point.up);
-    }
+    if (const auto at = seen.find(point.stop); at != seen.end())
+      add_point(at->second, point.across, point.up);
   std::erase_if(seen, [](const auto& entry) { return entry.second.x.empty(); });
   // What one of several stops sees is said to be its own.
   const std::string towards =

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "graze/report/chart/chart.hpp"
 #include "graze/report/picture/detail/chart_layers.hpp"
@@ -99,10 +100,10 @@ class ChartPicture {
   void gather_legend() {
     // By their place in the chart's own order, then as they come.
     std::map<std::pair<std::size_t, std::size_t>, std::string> entries;
-    std::map<std::string, bool> known;
+    std::set<std::string> known;
     std::size_t longest = 0;
     const auto add = [&](const std::string& title, const std::string& entry) {
-      if (title.empty() || !known.emplace(title, true).second) return;
+      if (title.empty() || !known.insert(title).second) return;
       const auto at = std::find(chart_.legend.begin(), chart_.legend.end(), title);
       const auto place = at == chart_.legend.end() ? 0 : 1 + (at - chart_.legend.begin());
       entries[{static_cast<std::size_t>(place), entries.size()}] = entry;

@@ -42,7 +42,6 @@ void set_legend(GnuplotScript& script, const Margins& margins, std::size_t colum
 // The horizontal axis of a picture over a parameter: its range, in the axis' unit, and its tics;
 // over a forcing frequency (rad/s) also one in Hz above the axes, which takes its room there. Names
 // are left out where another panel has them.
-inline constexpr double kHertzMargin = 0.165;  // of a picture 3/4 as high as wide
 struct AxisNames {
   bool below = true, above = true;
 };

@@ -18,6 +18,11 @@ inline ChartSeries dots_of(const Look& look) {
   return series;
 }
 
+inline void add_point(ChartSeries& series, double x, double y) {
+  series.x.push_back(x);
+  series.y.push_back(y);
+}
+
 // The size that suits so many marks.
 inline double crowded_mark_size(std::size_t count) {
   return 0.9 * std::clamp(std::sqrt(12.0 / std::max(static_cast<double>(count), 1.0)), 0.5, 1.0);
