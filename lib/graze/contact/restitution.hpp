@@ -40,6 +40,21 @@ class Restitution {
     const double r = unclamped(v);
     return r < 0.0 || r > 1.0;
   }
+
+  // The jump of velocity at an impact of approach speed v, (1 + r(v)) v in m/s, with its first two
+  // derivatives by v; and the derivatives of the jump and of its slope, at fixed v, when the
+  // coefficients move along `rates`.
+  double jump(double v) const { return (1.0 + at(v)) * v; }
+  double jump_slope(double v) const { return 1.0 + at(v) + v * slope_at(v); }
+  double jump_bend(double v) const { return 2.0 * slope_at(v) + v * curvature_at(v); }
+  double jump_rate(double v, const Restitution& rates) const {
+    return clamps_at(v) ? 0.0 : rates.unclamped(v) * v;
+  }
+  double jump_slope_rate(double v, const Restitution& rates) const {
+    return clamps_at(v) ? 0.0 : rates.unclamped(v) + v * rates.unclamped_slope(v);
+  }
+
+ private:
   // dr/dv and d^2 r/dv^2; zero where r is clamped.
   double slope_at(double v) const { return clamps_at(v) ? 0.0 : unclamped_slope(v); }
   double curvature_at(double v) const {
@@ -49,16 +64,6 @@ class Restitution {
       sum = sum * v + static_cast<double>(i * (i - 1)) * coefficients_[i];
     return -sum;
   }
-  // Derivatives of r(v) and dr/dv, at fixed v, when the coefficients move along `rates`; zero where
-  // clamped.
-  double rate_at(double v, const Restitution& rates) const {
-    return clamps_at(v) ? 0.0 : rates.unclamped(v);
-  }
-  double slope_rate_at(double v, const Restitution& rates) const {
-    return clamps_at(v) ? 0.0 : rates.unclamped_slope(v);
-  }
-
- private:
   double unclamped_slope(double v) const {
     double sum = 0.0;
     for (std::size_t i = coefficients_.size(); i-- > 1;)

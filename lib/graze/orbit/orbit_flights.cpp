@@ -67,8 +67,8 @@ std::vector<bool> fly_orbit(const System& system, const Orbit& orbit,
     const OrbitImpact& impact = orbit.impacts[i];
     const Stop& stop = system.stops[static_cast<std::size_t>(impact.stop)];
     if (listeners.impact)
-      listeners.impact({{impact.stop, impact.speed, 0.0,
-                         (1.0 + stop.restitution().at(impact.speed)) * impact.speed, true}});
+      listeners.impact(
+          {{impact.stop, impact.speed, 0.0, stop.restitution().jump(impact.speed), true}});
     const State after = after_impact(stop, points[i].before);
     phase.start(points[i].theta, after.q, after.qdot, 0.0);
     listeners.flight(phase, points[i].theta,

@@ -66,7 +66,7 @@ class SpeedEquation {
     return most;
   }
 
-  double impulse(double v) const { return (1.0 + restitution_.at(v)) * v; }
+  double impulse(double v) const { return restitution_.jump(v); }
   double phase(double v) const {
     const double u = impulse(v);
     const Complex turned(level_ + displaced_ * u, -(v + returned_ * u) / frequency_);

@@ -68,14 +68,15 @@ const Stop& PhaseProblem::stop(Eigen::Index impact) const {
 }
 
 Vector PhaseProblem::impulses(const Vector& speeds) const {
-  Vector u = speeds;
-  for (Eigen::Index i = 0; i < u.size(); ++i) u[i] *= 1.0 + stop(i).restitution().at(speeds[i]);
+  Vector u(speeds.size());
+  for (Eigen::Index i = 0; i < u.size(); ++i) u[i] = stop(i).restitution().jump(speeds[i]);
   return u;
 }
 
 Vector PhaseProblem::impulse_slopes(const Vector& speeds) const {
   Vector slopes(speeds.size());
-  for (Eigen::Index i = 0; i < slopes.size(); ++i) slopes[i] = jump_slope(stop(i), speeds[i]);
+  for (Eigen::Index i = 0; i < slopes.size(); ++i)
+    slopes[i] = stop(i).restitution().jump_slope(speeds[i]);
   return slopes;
 }
 

@@ -111,7 +111,7 @@ void CarriedDeviations::jump(const std::vector<ImpactShare<double>>& shares,
     if (!(share.impulse > 0.0)) continue;
     // A closed stop takes up what comes; so does one that leaves no room for a rebound.
     slopes[static_cast<Eigen::Index>(acting.size())] =
-        share.speed_after < 0.0 ? jump_slope(stop(share.stop), share.speed) : 1.0;
+        share.speed_after < 0.0 ? stop(share.stop).restitution().jump_slope(share.speed) : 1.0;
     acting.push_back(share.stop);
   }
   undo(acting, slopes.head(static_cast<Eigen::Index>(acting.size())), deviations_->qdot);

@@ -22,9 +22,10 @@ State rate_after(const System& system, const ImpactPattern& pattern,
   const Stop& stop_rate = stop_of(*direction.tangent, pattern, i);
   const State &before = points[i].before, &rate = direction.impacts[i].before;
   const double v = stop.row.dot(before.qdot), p = direction.parameter;
-  const double jump = (1.0 + stop.restitution().at(v)) * v;
-  const double jump_rate = jump_slope(stop, v) * speed_rate(stop, stop_rate, before, rate, p) +
-                           p * stop.restitution().rate_at(v, stop_rate.restitution()) * v;
+  const double jump = stop.restitution().jump(v);
+  const double jump_rate =
+      stop.restitution().jump_slope(v) * speed_rate(stop, stop_rate, before, rate, p) +
+      p * stop.restitution().jump_rate(v, stop_rate.restitution());
   return {rate.q, rate.qdot - jump_rate * stop.direction() - (p * jump) * stop_rate.direction()};
 }
 

@@ -88,10 +88,9 @@ void ParameterDeviation::jump(const std::vector<ImpactShare<double>>& shares,
     const bool rebounds = share.speed_after < 0.0;
     stops.push_back(share.stop);
     impulses.push_back(share.impulse);
-    rates.push_back(rebounds
-                        ? jump_slope(s, share.speed) * speed_rate +
-                              s.restitution().rate_at(share.speed, rate.restitution()) * share.speed
-                        : speed_rate);
+    rates.push_back(rebounds ? s.restitution().jump_slope(share.speed) * speed_rate +
+                                   s.restitution().jump_rate(share.speed, rate.restitution())
+                             : speed_rate);
   }
   if (stops.empty()) return;
   const auto k = static_cast<Eigen::Index>(stops.size());

@@ -9,7 +9,7 @@ SaltationFactors saltation_factors(const System& system, const Stop& stop, const
                                    double theta) {
   const Eigen::Index n = system.modes();
   const double v = stop.row.dot(before.qdot);
-  const double jump = (1.0 + stop.restitution().at(v)) * v, slope = jump_slope(stop, v);
+  const double jump = stop.restitution().jump(v), slope = stop.restitution().jump_slope(v);
   const State rate_before = vector_field(system, before, theta);
   const State rate_after = vector_field(system, after_impact(stop, before), theta);
   SaltationFactors factors{Matrix::Zero(2 * n, 2), Matrix::Zero(2 * n, 2)};

@@ -27,8 +27,8 @@ Impact impact_of(const Stop& stop, const MotionScale& scale, const double* state
     impact.reach += stop.row[j] * (state[j] * scale.displacement);
     impact.speed += stop.row[j] * (state[n + j] * scale.velocity[j]);
   }
-  impact.jump = (1.0 + stop.restitution().at(impact.speed)) * impact.speed;
-  impact.slope = jump_slope(stop, impact.speed);
+  impact.jump = stop.restitution().jump(impact.speed);
+  impact.slope = stop.restitution().jump_slope(impact.speed);
   return impact;
 }
 
@@ -41,24 +41,15 @@ ImpactRate rate_of(const Impact& impact, const Stop& stop, const Stop& tangent,
     rate.reach += tangent.row[j] * (state[j] * scale.displacement);
     v_rate += tangent.row[j] * (state[n + j] * scale.velocity[j]);
   }
-  rate.jump = stop.restitution().rate_at(impact.speed, tangent.restitution()) * impact.speed +
-              impact.slope * v_rate;
+  rate.jump =
+      stop.restitution().jump_rate(impact.speed, tangent.restitution()) + impact.slope * v_rate;
   return rate;
 }
 
 }  // namespace
 
-double jump_slope(const Stop& stop, double v) {
-  return 1.0 + stop.restitution().at(v) + v * stop.restitution().slope_at(v);
-}
-
-double jump_bend(const Stop& stop, double v) {
-  return 2.0 * stop.restitution().slope_at(v) + v * stop.restitution().curvature_at(v);
-}
-
 State after_impact(const Stop& stop, const State& before) {
-  const double v = stop.row.dot(before.qdot);
-  const double jump = (1.0 + stop.restitution().at(v)) * v;
+  const double jump = stop.restitution().jump(stop.row.dot(before.qdot));
   return {before.q, before.qdot - jump * stop.direction()};
 }
 

@@ -92,9 +92,9 @@ class Curvature {
       flight.speed += left.row[j] * x_[flight.at + 1 + n + j] * scale_.velocity[j];
       flight.moved += left.row[j] * v_[flight.at + 1 + n + j] * scale_.velocity[j];
     }
-    flight.jump = (1.0 + left.restitution().at(flight.speed)) * flight.speed;
-    flight.slope = jump_slope(left, flight.speed);
-    flight.slope_bend = jump_bend(left, flight.speed);
+    flight.jump = left.restitution().jump(flight.speed);
+    flight.slope = left.restitution().jump_slope(flight.speed);
+    flight.slope_bend = left.restitution().jump_bend(flight.speed);
     return flight;
   }
 
@@ -167,11 +167,10 @@ class Curvature {
       moved_rate += rate.row[m] * v_[flight.at + 1 + n + m] * scale_.velocity[m];
     }
     const Restitution& r = left.restitution();
-    const double at_fixed_speed = r.rate_at(flight.speed, rate.restitution());
-    const double jump_rate = at_fixed_speed * flight.speed + flight.slope * speed_rate;
-    const double slope_rate = at_fixed_speed +
-                              flight.speed * r.slope_rate_at(flight.speed, rate.restitution()) +
-                              flight.slope_bend * speed_rate;
+    const double jump_rate =
+        r.jump_rate(flight.speed, rate.restitution()) + flight.slope * speed_rate;
+    const double slope_rate =
+        r.jump_slope_rate(flight.speed, rate.restitution()) + flight.slope_bend * speed_rate;
     const double start_rate = -jump_rate * left.direction()[j] - flight.jump * rate.direction()[j];
     const Scalar y_rate =
         -(slope_rate * flight.moved + flight.slope * moved_rate) * left.direction()[j] -

@@ -34,7 +34,7 @@ State motion_at(const PeriodicResponse& response, const PhaseSolution& solution,
     const double turn = phase - solution.phases[i];
     const State part =
         response.impulse_state(stop, (turn > 0.0 ? turn : turn + lap) / response.frequency());
-    state.q -= (1.0 + met.restitution().at(speed)) * speed * part.q;
+    state.q -= met.restitution().jump(speed) * part.q;
   }
   return state;
 }

@@ -77,9 +77,4 @@ class ShootingProblem {
 // The state just after the impact of `before` at a stop.
 State after_impact(const Stop& stop, const State& before);
 
-// Derivative of the velocity jump (1 + r(v)) v by the approach speed: 1 + r + v r'(v).
-double jump_slope(const Stop& stop, double v);
-// And the second one: 2 r'(v) + v r''(v).
-double jump_bend(const Stop& stop, double v);
-
 }  // namespace graze
