@@ -1,9 +1,11 @@
-// Writes the manual pages and the completions of the shells, from the program's tables of options.
+// Writes the manual pages, the completions of the shells and docs/commands.md from the tables of
+// options that the program has.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 
 #include "command.hpp"
+#include "command_reference.hpp"
 #include "completion.hpp"
 #include "graze/record/file/run_info.hpp"
 #include "man_page.hpp"
@@ -36,5 +38,6 @@ int main(int argc, char** argv) {
   good = write(folder / "graze.bash", graze::bash_completion(commands)) && good;
   good = write(folder / "_graze", graze::zsh_completion(commands)) && good;
   good = write(folder / "graze.fish", graze::fish_completion(commands)) && good;
+  good = write(folder / "commands.md", graze::command_reference(commands)) && good;
   return good ? 0 : 4;
 }

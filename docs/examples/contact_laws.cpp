@@ -11,14 +11,14 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/motion/detail/motion.hpp"
 #include "graze/motion/simulation.hpp"
-#include "graze/report/picture/gnuplot.hpp"
-#include "graze/report/picture/picture_style.hpp"
+#include "graze/report/picture/pictures.hpp"
 #include "graze/scene/reader.hpp"
 
 using namespace graze;
@@ -182,60 +182,44 @@ void print_tables() {
 }
 
 struct Curve {
-  std::string model, spring, release, title, style;
+  std::string model, spring, title;
 };
+const Curve kCurves[] = {{"lankarani-nikravesh", "Hertz", "Lankarani and Nikravesh"},
+                         {"lee-wang-1", "linear", "Lee and Wang 1"},
+                         {"hunt-crossley", "Hertz", "Hunt and Crossley"},
+                         {"kelvin-voigt", "linear", "Kelvin-Voigt, to zero force"},
+                         {"flores", "Hertz", "Flores et al."}};
 
-const std::vector<Curve>& curves() {
-  static const std::vector<Curve> list = {
-      {"lankarani-nikravesh", "Hertz", "force", "Lankarani and Nikravesh",
-       "lw 2 dt (2,3) lc rgb '#0072B2'"},
-      {"lee-wang-1", "linear", "force", "Lee and Wang 1", "lw 2 dt (12,4) lc rgb '#CC79A7'"},
-      {"hunt-crossley", "Hertz", "force", "Hunt and Crossley", "lw 2 lc rgb '#D55E00'"},
-      {"kelvin-voigt", "linear", "force", "Kelvin-Voigt, to zero force",
-       "lw 2 dt (10,3,2,3) lc rgb '#009E73'"},
-      {"flores", "Hertz", "force", "Flores et al.", "lw 2 dt (6,3) lc rgb '#E69F00'"}};
-  return list;
-}
-
-// Requested, effective.
-std::vector<std::vector<double>> points_of(const Curve& curve) {
-  std::vector<std::vector<double>> points;
-  for (int i = 1; i <= 50; ++i) {
-    const double asked = 0.02 * i;
-    const Law law{"", curve.spring, curve.release, "", asking(curve.model, asked)};
-    points.push_back({asked, effective(law, kSpeed)});
+// Over the restitution asked for, that of the contact.
+ChartSeries series_of(const Curve& curve, std::size_t i) {
+  ChartSeries series{.title = curve.title, .look = curve_look(i)};
+  for (int n = 1; n <= 50; ++n) {
+    const double asked = 0.02 * n;
+    const Law law{"", curve.spring, "force", "", asking(curve.model, asked)};
+    series.x.push_back(asked);
+    series.y.push_back(effective(law, kSpeed));
   }
-  return points;
+  return series;
 }
 
 void print_curves() {
-  for (const Curve& curve : curves())
-    for (const auto& point : points_of(curve))
-      std::printf("%s %.17g %.17g\n", curve.model.c_str(), point[0], point[1]);
+  for (const Curve& curve : kCurves) {
+    const ChartSeries series = series_of(curve, 0);
+    for (std::size_t i = 0; i < series.x.size(); ++i)
+      std::printf("%s %.17g %.17g\n", curve.model.c_str(), series.x[i], series.y[i]);
+  }
 }
 
 void draw(const std::string& file) {
-  GnuplotScript script;
-  set_style(script);
-  std::vector<std::string> layers;
-  for (const Curve& curve : curves()) {
-    PlotTable table;
-    for (const auto& point : points_of(curve)) table.row({point[0], point[1]});
-    const std::string name = "curve" + std::to_string(layers.size());
-    script.data(name, table);
-    layers.push_back("$" + name + " using 1:2 with lines " + curve.style + " title '" +
-                     curve.title + "'");
-  }
-  layers.push_back("x with lines lw 1.2 lc rgb '#000000' title 'inversion = \"exact\"'");
-  Margins margins;
-  margins.bottom = 0.11 + 0.75 * legend_height(layers.size(), 2);
-  set_margins(script, margins);
-  set_legend(script, margins, 2);
-  script.command("set xrange [0:1]\nset yrange [0:1]\nset xtics 0.2\nset ytics 0.2");
-  script.command("set xlabel 'restitution asked for'");
-  script.command("set label 'restitution of the contact' at screen 0.04, graph 0.5 center rotate");
-  script.plot(layers);
-  draw_picture(file, RunInfo{}, script, 1.05);
+  ChartPanel panel{.x = {.name = "restitution asked for", .range = {0.0, 1.0}},
+                   .y = {.name = "restitution of the contact", .range = {0.0, 1.0}},
+                   .height = 9.0};
+  for (const Curve& curve : kCurves) panel.series.push_back(series_of(curve, panel.series.size()));
+  panel.series.push_back({.title = "inversion = \"exact\"",
+                          .look = {.colour = kBlack, .width = 1.2},
+                          .x = {0.0, 1.0},
+                          .y = {0.0, 1.0}});
+  draw_chart(file, RunInfo{}, {"", {{std::move(panel)}}});
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "graze/assembly/assembly.hpp"
@@ -15,8 +16,7 @@
 #include "graze/assembly/probes.hpp"
 #include "graze/base/angle.hpp"
 #include "graze/motion/simulation.hpp"
-#include "graze/report/picture/gnuplot.hpp"
-#include "graze/report/picture/picture_style.hpp"
+#include "graze/report/picture/pictures.hpp"
 #include "graze/scene/reader.hpp"
 #include "graze/study/processor_time.hpp"
 #include "graze/study/run_impact.hpp"
@@ -169,43 +169,26 @@ void print_chaos() {
   }
 }
 
+ChartPanel panel(const Run& shown, const std::vector<double>& values, ChartAxis axis,
+                 const char* colour) {
+  ChartSeries curve{.look = {.colour = colour, .width = 0.8}, .x = shown.times, .y = values};
+  return {.x = {.name = "time", .unit = "s", .range = {0.0, kEnd}},
+          .y = std::move(axis),
+          .series = {std::move(curve)},
+          .height = 2.8};
+}
+
 void draw(const std::string& file) {
-  GnuplotScript script;
-  set_style(script);
-  script.command("set multiplot");
-  for (int column = 0; column < 2; ++column) {
-    const Run shown = run(read_scene(kCases[column].scene), kEnd, 4000.0);
-    PlotTable rate, strain;
-    for (std::size_t i = 0; i < shown.times.size(); ++i) {
-      rate.row({shown.times[i], shown.rate[i]});
-      strain.row({shown.times[i], 1e6 * shown.strain[i]});
-    }
-    const std::string name = std::to_string(column + 1);
-    script.data("rate" + name, rate);
-    script.data("strain" + name, strain);
-    const double left = column == 0 ? 0.19 : 0.655, right = left + 0.31;
-    for (int row = 0; row < 2; ++row) {
-      Margins margins{left, 1.0 - right, row == 0 ? 0.60 : 0.18, row == 0 ? 0.10 : 0.50};
-      set_margins(script, margins);
-      script.command(row == 0 ? "set format x ''" : "set format x '%g'");
-      script.command("set xrange [0:1.5]\nset xtics 0.5");
-      script.command(row == 0 ? "set yrange [-12:12]\nset ytics 6"
-                              : "set yrange [-250:250]\nset ytics 125");
-      script.command("unset label");
-      if (row == 0)
-        script.command("set label 1 '" + std::string(kCases[column].name) +
-                       "' at graph 0.5, graph 1.08 center");
-      script.command(row == 1 ? "set xlabel 'time (s)'" : "unset xlabel");
-      if (column == 0)
-        name_vertical_axis(script, row == 0 ? "hub’s rate" : "strain",
-                           row == 0 ? "rad/s" : "10^{-6}");
-      script.plot({std::string("$") + (row == 0 ? "rate" : "strain") + name +
-                   " using 1:2 with lines lw 0.8 lc rgb '" + (row == 0 ? kBlue : kVermillion) +
-                   "' notitle"});
-    }
+  std::vector<ChartPanel> rates, strains;
+  for (const Case* c : {&kCases[0], &kCases[1]}) {
+    const Run shown = run(read_scene(c->scene), kEnd, 4000.0);
+    rates.push_back(panel(shown, shown.rate,
+                          {.name = "hub's rate", .unit = "rad/s", .range = {-12.0, 12.0}}, kBlue));
+    rates.back().heading = c->name;
+    strains.push_back(
+        panel(shown, shown.strain, {.name = "strain", .range = {-250e-6, 250e-6}}, kVermillion));
   }
-  script.command("unset multiplot");
-  draw_picture(file, RunInfo{}, script, 0.75);
+  draw_chart(file, RunInfo{}, {"", {rates, strains}});
 }
 
 }  // namespace

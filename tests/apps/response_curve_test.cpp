@@ -125,6 +125,11 @@ TEST(ResponseCurve, OfAMapIsTheClosedFormWhereItIsClear) {
       const auto cell = static_cast<std::size_t>(7 * j + i);
       if (document["cells"]["peak_speed"][cell] != 0.0) {
         EXPECT_GT(amplitude[cell].get<double>(), gap);
+        // Over a period the stop balances the spring, k = 1.
+        const json& stop = document["cells"]["amplitudes"][1];
+        const double force = stop["mean_force"][cell].get<double>();
+        EXPECT_GT(force, 0.0);
+        EXPECT_NEAR(force, std::abs(stop["mean"][cell].get<double>()), 1e-7 * force);
         continue;
       }
       EXPECT_LT(linear, gap);

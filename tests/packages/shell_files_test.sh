@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Manual pages and completions against the program that they are of:
+# Manual pages, completions and docs/commands.md against the program that they are of:
 #   bash tests/packages/shell_files_test.sh PROGRAM FOLDER SCENES
 # FOLDER is where the build wrote them. What a shell completes is asked of the shell itself, where it is
 # installed. Exit 1 when anything is wrong.
@@ -16,6 +16,15 @@ fail() { echo "$*" >&2; failed=1; }
 commands=$("$program" help | awk '/^Subcommands:/ { below = 1; next } /^$/ { below = 0 } below && /^  [a-z]/ { print $1 }')
 [ "$(wc -w <<< "$commands")" -gt 13 ] || fail "commands: $commands"
 options_of() { "$program" help "$1" | grep -oE '^  (-[a-z],)?--[a-z-]+' | grep -oE -e '--[a-z-]+' | sort -u; }
+
+echo "== docs/commands.md"
+cmp "$folder/commands.md" "$(dirname "$0")/../../docs/commands.md" || fail "docs/commands.md is not what the options say: bash tests/update_pages.sh"
+for command in $commands; do
+  [ "$command" = help ] || grep -qx "## $command" "$folder/commands.md" || fail "docs/commands.md: no $command"
+  for option in $(options_of "$command"); do
+    [ "$option" = --help ] || grep -qF -e "\`$option" "$folder/commands.md" || fail "docs/commands.md does not name $option"
+  done
+done
 
 echo "== manual pages"
 for command in $commands; do

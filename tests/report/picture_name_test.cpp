@@ -3,7 +3,6 @@
 
 #include "apps/program.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/report/picture/gnuplot.hpp"
 #include "graze/report/picture/pictures.hpp"
 
 namespace graze {
@@ -21,10 +20,8 @@ TEST(PictureNames, ScriptsTellACommandThatDrawsThem) {
   const ScratchFolder scratch;
   for (const std::string name :
        {"x", "two words", "-x", "~x", "it's", "$(touch y)", "a;b", "a&b"}) {
-    GnuplotScript script;
-    script.command("set xrange [0:1]");
-    script.plot({"x notitle"});
-    draw_picture((scratch / (name + ".svg")).string(), RunInfo{}, script);
+    const ChartPanel panel{.x = {}, .y = {}, .series = {{.x = {0.0, 1.0}, .y = {0.0, 1.0}}}};
+    draw_chart((scratch / (name + ".svg")).string(), RunInfo{}, {"", {{panel}}});
     const std::string text = read_text(scratch / (name + ".gp"));
     const std::size_t at = text.find(": gnuplot ") + 2;
     const std::string command = text.substr(at, text.find('\n') - at);

@@ -1,93 +1,54 @@
 #include "graze/record/shown_quantity.hpp"
 
 #include <complex>
+#include <iterator>
 
 namespace graze {
 namespace {
 
-std::optional<double> of_row(ShownQuantity quantity, const Amplitude& row) {
-  switch (quantity) {
-    case ShownQuantity::kMax:
-      return row.highest;
-    case ShownQuantity::kMin:
-      return row.lowest;
-    case ShownQuantity::kHalfRange:
-      return row.half_range();
-    case ShownQuantity::kMean:
-      return row.mean;
-    case ShownQuantity::kRms:
-      return row.rms;
-    case ShownQuantity::kHarmonic:
-      return row.harmonic ? std::optional(std::abs(*row.harmonic)) : std::nullopt;
-    case ShownQuantity::kPeakVelocity:
-      return row.speed;
-    default:
-      return row.largest();
-  }
-}
+using Number = std::optional<double>;
 
-const char* words(ShownQuantity quantity) {
-  switch (quantity) {
-    case ShownQuantity::kMax:
-      return "largest value";
-    case ShownQuantity::kMin:
-      return "smallest value";
-    case ShownQuantity::kHalfRange:
-      return "half range";
-    case ShownQuantity::kMean:
-      return "mean";
-    case ShownQuantity::kRms:
-      return "root mean square";
-    case ShownQuantity::kHarmonic:
-      return "first harmonic";
-    case ShownQuantity::kPeakVelocity:
-      return "largest velocity";
-    case ShownQuantity::kPeakForce:
-      return "largest force";
-    case ShownQuantity::kRmsForce:
-      return "root mean square force";
-    case ShownQuantity::kImpactRate:
-      return "impacts per time";
-    case ShownQuantity::kAmplitude:
-      break;
-  }
-  return "amplitude";
+// A number of the motion at a place, in the unit of the place, or of the load on its stop.
+struct Description {
+  const char *name, *words;  // of --show, of an axis
+  Number (*of_place)(const Amplitude&) = nullptr;
+  Number (*of_stop)(const StopLoad&, double duration) = nullptr;  // else
+  const char* unit = "";                                          // of a load
+};
+
+// In the order of ShownQuantity.
+constexpr Description kDescriptions[] = {
+    {"amplitude", "amplitude", [](const Amplitude& at) { return Number(at.largest()); }},
+    {"max", "largest value", [](const Amplitude& at) { return Number(at.highest); }},
+    {"min", "smallest value", [](const Amplitude& at) { return Number(at.lowest); }},
+    {"half-range", "half range", [](const Amplitude& at) { return Number(at.half_range()); }},
+    {"mean", "mean", [](const Amplitude& at) { return Number(at.mean); }},
+    {"rms", "root mean square", [](const Amplitude& at) { return Number(at.rms); }},
+    {"harmonic", "first harmonic",
+     [](const Amplitude& at) { return at.harmonic ? Number(std::abs(*at.harmonic)) : Number(); }},
+    {"peak-velocity", "largest velocity", [](const Amplitude& at) { return at.speed; }},
+    {"peak-force", "largest force", nullptr,
+     [](const StopLoad& load, double) { return load.peak_force; }, "N"},
+    {"rms-force", "root mean square force", nullptr,
+     [](const StopLoad& load, double) { return load.rms_force; }, "N"},
+    {"mean-force", "impulse per time", nullptr,
+     [](const StopLoad& load, double duration) { return Number(load.impulse / duration); }, "N"},
+    {"impact-rate", "impacts per time", nullptr,
+     [](const StopLoad& load, double duration) {
+       return Number(static_cast<double>(load.impacts) / duration);
+     },
+     "1/s"}};
+static_assert(std::size(kDescriptions) == std::size(kShownQuantities));
+
+const Description& described(ShownQuantity quantity) {
+  return kDescriptions[static_cast<std::size_t>(quantity)];
 }
 
 }  // namespace
 
-const char* name_of(ShownQuantity quantity) {
-  switch (quantity) {
-    case ShownQuantity::kMax:
-      return "max";
-    case ShownQuantity::kMin:
-      return "min";
-    case ShownQuantity::kHalfRange:
-      return "half-range";
-    case ShownQuantity::kMean:
-      return "mean";
-    case ShownQuantity::kRms:
-      return "rms";
-    case ShownQuantity::kHarmonic:
-      return "harmonic";
-    case ShownQuantity::kPeakVelocity:
-      return "peak-velocity";
-    case ShownQuantity::kPeakForce:
-      return "peak-force";
-    case ShownQuantity::kRmsForce:
-      return "rms-force";
-    case ShownQuantity::kImpactRate:
-      return "impact-rate";
-    case ShownQuantity::kAmplitude:
-      break;
-  }
-  return "amplitude";
-}
+const char* name_of(ShownQuantity quantity) { return described(quantity).name; }
 
-bool is_of_stop(ShownQuantity quantity) {
-  return quantity == ShownQuantity::kPeakForce || quantity == ShownQuantity::kRmsForce ||
-         quantity == ShownQuantity::kImpactRate;
-}
+bool is_of_stop(ShownQuantity quantity) { return described(quantity).of_stop != nullptr; }
 
 bool exists_at(ShownQuantity quantity, const MeasuredPlace& place) {
   if (is_of_stop(quantity)) return place.stop.has_value();
@@ -97,20 +58,18 @@ bool exists_at(ShownQuantity quantity, const MeasuredPlace& place) {
 std::optional<double> shown_value(const Shown& shown, const std::vector<MeasuredPlace>& places,
                                   const Amplitudes& measured) {
   if (measured.rows.size() != places.size()) return {};
-  if (!is_of_stop(shown.quantity)) return of_row(shown.quantity, measured.rows[shown.place]);
-  const StopLoad& load = measured.stops[static_cast<std::size_t>(*places[shown.place].stop)];
-  if (shown.quantity == ShownQuantity::kPeakForce) return load.peak_force;
-  if (shown.quantity == ShownQuantity::kRmsForce) return load.rms_force;
-  return static_cast<double>(load.impacts) / measured.duration;
+  const Description& number = described(shown.quantity);
+  if (number.of_place) return number.of_place(measured.rows[shown.place]);
+  return number.of_stop(measured.stops[static_cast<std::size_t>(*places[shown.place].stop)],
+                        measured.duration);
 }
 
 std::string shown_title(const Shown& shown, const std::vector<MeasuredPlace>& places) {
-  return std::string(words(shown.quantity)) + " at " + places[shown.place].name();
+  return std::string(described(shown.quantity).words) + " at " + places[shown.place].name();
 }
 
 std::string shown_unit(const Shown& shown, const std::vector<MeasuredPlace>& places) {
-  if (shown.quantity == ShownQuantity::kImpactRate) return "1/s";
-  if (is_of_stop(shown.quantity)) return "N";
+  if (is_of_stop(shown.quantity)) return described(shown.quantity).unit;
   const std::string& unit = places[shown.place].unit;
   if (shown.quantity != ShownQuantity::kPeakVelocity) return unit;
   return unit.empty() ? "1/s" : unit + "/s";

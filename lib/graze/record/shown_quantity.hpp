@@ -21,6 +21,7 @@ enum class ShownQuantity {
   kPeakVelocity,  // largest absolute velocity
   kPeakForce,     // of a stop
   kRmsForce,
+  kMeanForce,  // impulse per time
   kImpactRate
 };
 
@@ -34,7 +35,7 @@ inline constexpr ShownQuantity kShownQuantities[] = {
     ShownQuantity::kAmplitude, ShownQuantity::kMax,          ShownQuantity::kMin,
     ShownQuantity::kHalfRange, ShownQuantity::kMean,         ShownQuantity::kRms,
     ShownQuantity::kHarmonic,  ShownQuantity::kPeakVelocity, ShownQuantity::kPeakForce,
-    ShownQuantity::kRmsForce,  ShownQuantity::kImpactRate};
+    ShownQuantity::kRmsForce,  ShownQuantity::kMeanForce,    ShownQuantity::kImpactRate};
 
 const char* name_of(ShownQuantity quantity);  // "peak-velocity"
 bool is_of_stop(ShownQuantity quantity);

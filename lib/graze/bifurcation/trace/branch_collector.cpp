@@ -222,12 +222,15 @@ void BranchCollector::add(std::vector<BranchPiece> pieces, Origin origin) {
     return end == OrbitBranchEnd::kNotConverged || end == OrbitBranchEnd::kStepLimit;
   };
   bool cut = false;
-  for (BranchPart& part : parts_of(pieces)) {
-    for (const OrbitBranchEnd end : part.branch.ends) {
+  for (FoundBranch& found : branches_of(pieces)) {
+    for (const OrbitBranchEnd end : found.branch.ends) {
       cut = cut || cuts(end);
       result_.meetings += end == OrbitBranchEnd::kImpactsMeet ? 1 : 0;
     }
-    found_.push_back({std::move(part), result_.traced, origin.branch, origin.special});
+    found.trace = result_.traced;
+    found.origin_branch = origin.branch;
+    found.origin_special = origin.special;
+    found_.push_back(std::move(found));
   }
   for (BranchPiece& piece : pieces) {
     result_.shooting_evaluations += piece.branch.evaluations;
@@ -247,19 +250,19 @@ void BranchCollector::follow() {
   for (int depth = 0; depth < options_.follow_depth; ++depth) {
     const std::size_t last = found_.size();
     for (std::size_t i = first; i < last; ++i)
-      for (std::size_t k = 0; k < found_[i].branch().special.size(); ++k) {
+      for (std::size_t k = 0; k < found_[i].branch.special.size(); ++k) {
         if (options_.stop.requested()) return;
-        const SpecialPoint special = found_[i].branch().special[k];
-        const SpecialContinuation continuation = found_[i].part.continuations[k];
+        const SpecialPoint special = found_[i].branch.special[k];
+        const SpecialContinuation continuation = found_[i].continuations[k];
         switch_from(special, continuation,
                     {static_cast<int>(i), k, special.kind == SpecialKind::kGrazing});
       }
     first = last;
   }
   for (std::size_t i = first; i < found_.size() && options_.follow_depth > 0; ++i)
-    for (std::size_t k = 0; k < found_[i].branch().special.size(); ++k) {
-      const SpecialPoint& special = found_[i].branch().special[k];
-      const SpecialContinuation& continuation = found_[i].part.continuations[k];
+    for (std::size_t k = 0; k < found_[i].branch.special.size(); ++k) {
+      const SpecialPoint& special = found_[i].branch.special[k];
+      const SpecialContinuation& continuation = found_[i].continuations[k];
       const bool leads_on = crosses(special.kind) || !continuation.others.empty() ||
                             continuation.orbits->boundaries->across(special).has_value();
       result_.left_open += leads_on ? 1 : 0;

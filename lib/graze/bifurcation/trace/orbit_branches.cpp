@@ -182,7 +182,7 @@ class OrbitTracer {
     };
     tracer.new_branches = [this, pattern, next = std::size_t{0}](const auto& hand_over) mutable {
       for (; next < branches_.found().size(); ++next) {
-        const OrbitBranch& branch = branches_.found()[next].branch();
+        const OrbitBranch& branch = branches_.found()[next].branch;
         if (branch.pattern == pattern) hand_over(branch);
       }
     };

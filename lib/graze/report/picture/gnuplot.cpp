@@ -1,4 +1,4 @@
-#include "graze/report/picture/gnuplot.hpp"
+#include "graze/report/picture/detail/gnuplot.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -274,12 +274,6 @@ void draw_picture(const PictureRequest& request, const RunInfo& info, const Gnup
         {picture,
          head + output(request.file) + data_line(beside(request.file, ".gp.dat")) + script.text(),
          script.data_text()});
-}
-
-void draw_picture(const PictureRequest& request, const RunInfo& info, const GnuplotScript& script,
-                  double proportion) {
-  constexpr double kWidth = 12.0;  // cm
-  draw_picture(request, info, script, canvas_of(request, info, kWidth * proportion));
 }
 
 void draw_picture(const PictureRequest& request, const RunInfo& info, const GnuplotScript& script,

@@ -1,4 +1,4 @@
-#include "graze/report/picture/picture_sheet.hpp"
+#include "graze/report/picture/detail/picture_sheet.hpp"
 
 #include <fmt/format.h>
 

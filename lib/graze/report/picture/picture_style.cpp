@@ -1,4 +1,4 @@
-#include "graze/report/picture/picture_style.hpp"
+#include "graze/report/picture/detail/picture_style.hpp"
 
 #include <fmt/format.h>
 
@@ -70,18 +70,6 @@ std::string in_two_lines(std::string name, std::size_t most) {
 int tics_within(double length, int most) {
   constexpr double kTic = 0.55;  // cm, of a number's height with what keeps it apart
   return std::clamp(static_cast<int>(length / kTic), 2, most);
-}
-
-double legend_height(std::size_t entries, std::size_t columns) {
-  const std::size_t lines = (entries + columns - 1) / columns;
-  return 0.012 + 0.04 * static_cast<double>(lines);
-}
-
-void set_legend(GnuplotScript& script, const Margins& margins, std::size_t columns) {
-  script.command(
-      fmt::format("set key at screen 0.5+{:.4g}*across, screen 0.01*body center bottom horizontal "
-                  "maxcols {} Left reverse samplen 2 spacing legend_line font small",
-                  0.5 * (margins.left - margins.right), columns));
 }
 
 namespace {

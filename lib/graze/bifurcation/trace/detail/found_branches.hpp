@@ -1,5 +1,6 @@
-// Branches of orbits as they were found, and as they are handed on: in an order and under names
-// that do not depend on what start found them.
+// Branches of orbits as they are found, and as they are reported. A traced branch is judged point
+// by point and divided at its boundaries into branches of orbits of the same kind; these are
+// reported in an order and under names that do not depend on which start found them.
 #pragma once
 
 #include <cstddef>
@@ -8,29 +9,35 @@
 #include <utility>
 #include <vector>
 
-#include "graze/bifurcation/trace/detail/branch_parts.hpp"
+#include "graze/bifurcation/trace/detail/branch_pieces.hpp"
 #include "graze/bifurcation/trace/detail/components.hpp"
 
 namespace graze {
 
-// A part of a trace that is listed.
-struct FoundBranch {
-  BranchPart part;
-  int trace = 0;                   // its number
-  int origin_branch = -1;          // index of the found branch it was switched onto from
-  std::size_t origin_special = 0;  // and of the special point there
-
-  OrbitBranch& branch() { return part.branch; }
-  const OrbitBranch& branch() const { return part.branch; }
+// Where a special point of a branch leads.
+struct SpecialContinuation {
+  LaidOrbits* orbits = nullptr;            // whose equations it solves
+  std::vector<OrbitBranchPoint> others{};  // as of BranchPlace
 };
 
-// What tells the connected set of solutions that a branch is of, a name for it; nothing where it is
-// not known.
+struct FoundBranch {
+  OrbitBranch branch;
+  std::vector<SpecialContinuation> continuations;  // of its special points
+  int trace = 0;                                   // number of the trace that it is a part of
+  int origin_branch = -1;          // index of the found branch that it was switched onto from
+  std::size_t origin_special = 0;  // and of the special point there
+};
+
+// The branches that a trace, given as its pieces, is divided into. Pieces that lead beyond a
+// boundary are cut off there.
+std::vector<FoundBranch> branches_of(std::vector<BranchPiece>& pieces);
+
+// Identifies the connected set of solutions that a branch belongs to; nullopt when it is not known.
 using ConnectedSet = std::function<std::optional<std::pair<int, int>>(const OrbitBranch&)>;
 
-// The branches by period, impacts and lowest parameter value, those that stick last: numbered,
-// their special points and components named, those they were switched onto from written down.
-// `components`: empty still. `set_of`: its names are not negative.
+// The branches by period, impacts and lowest parameter value, those that stick last, with their
+// numbers, components, origins and the ids of their special points. `components` is empty before;
+// names that `set_of` returns are not negative.
 std::vector<OrbitBranch> put_in_order(std::vector<FoundBranch> found, Components components,
                                       const ConnectedSet& set_of);
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "graze/report/chart/chart.hpp"
-#include "graze/report/picture/picture_style.hpp"
+#include "graze/report/picture/detail/picture_style.hpp"
 
 namespace graze {
 

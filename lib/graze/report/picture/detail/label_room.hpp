@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "graze/report/picture/gnuplot.hpp"
+#include "graze/report/picture/detail/gnuplot.hpp"
 
 namespace graze {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "graze/record/file/run_info.hpp"
+#include "graze/report/picture/detail/picture_sheet.hpp"
 #include "graze/report/picture/picture_request.hpp"
-#include "graze/report/picture/picture_sheet.hpp"
 
 namespace graze {
 
@@ -64,9 +64,6 @@ std::string plain_gnuplot_string(const std::string& text);
 // be written to.
 void draw_picture(const PictureRequest& request, const RunInfo& info, const GnuplotScript& script,
                   const Canvas& canvas);
-// Of a layout `proportion` times as high as 12 cm.
-void draw_picture(const PictureRequest& request, const RunInfo& info, const GnuplotScript& script,
-                  double proportion = 0.75);
 
 // A layer of very many dots, drawn as pixels. A vector picture that held each of them as a shape
 // would be megabytes large.

@@ -6,7 +6,7 @@
 
 #include "graze/report/appearance/looks.hpp"
 #include "graze/report/chart/axis.hpp"
-#include "graze/report/picture/gnuplot.hpp"
+#include "graze/report/picture/detail/gnuplot.hpp"
 
 namespace graze {
 
@@ -19,14 +19,14 @@ void set_style(GnuplotScript& script);
 // Places the axes: what stays free on each side, as parts of a picture of 12 cm and of the height
 // that it is laid out for (GnuplotScript).
 struct Margins {
-  double left = 0.18, right = 0.04, bottom = 0.175, top = 0.04;
+  double left = 0.0, right = 0.0, bottom = 0.0, top = 0.0;
 };
 void set_margins(GnuplotScript& script, const Margins& margins);
 
 // Names the vertical axis at a set place, a part of 12 cm from its left edge, however
 // wide the axis' numbers are; \n in the name begins a new line.
 void name_vertical_axis(GnuplotScript& script, const std::string& name, const std::string& unit,
-                        double place = 0.03);
+                        double place);
 
 // A name that is longer than so many letters over two lines, broken before its direction, else near
 // its middle.
@@ -34,10 +34,6 @@ std::string in_two_lines(std::string name, std::size_t most);
 
 // As many tics of a vertical axis of so many cm as are told apart, `most` at most.
 int tics_within(double length, int most);
-
-// Room at the foot for a legend of `entries` in `columns`, and the legend there.
-double legend_height(std::size_t entries, std::size_t columns);
-void set_legend(GnuplotScript& script, const Margins& margins, std::size_t columns);
 
 // The horizontal axis of a picture over a parameter: its range, in the axis' unit, and its tics;
 // over a forcing frequency (rad/s) also one in Hz above the axes, which takes its room there. Names
