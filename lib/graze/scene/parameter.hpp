@@ -19,7 +19,7 @@ namespace graze {
 double* find_parameter(Scene& scene, const std::string& path);
 const double* find_parameter(const Scene& scene, const std::string& path);
 
-// Its value, in the unit of `path`; nothing when the scene has no such continuous parameter.
+// Its value, in the unit of `path`; nullopt when the scene has no such continuous parameter.
 std::optional<double> parameter_value(const Scene& scene, const std::string& path);
 
 // All continuous parameters that this scene has, for messages and suggestions.
