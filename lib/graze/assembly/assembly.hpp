@@ -1,4 +1,4 @@
-// From a scene to the system of its numbers, and the derivative of these by a parameter.
+// From a scene to its assembled system, and the derivative of the system by a parameter.
 #pragma once
 
 #include <string>
