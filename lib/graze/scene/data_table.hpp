@@ -39,9 +39,10 @@ class DataTable {
   }
   // The cell as a finite number; throws InputError where it is none.
   double number(std::size_t row, std::size_t column) const;
-  // The same in `unit`, where the column's name tells a multiple of it: of "t (ms)" in "s".
+  // The same in `unit`, where the column's name gives a decimal multiple of it: "t (ms)" read in
+  // "s".
   double number(std::size_t row, std::size_t column, const std::string& unit) const;
-  // Throws InputError where the column's name tells a unit that is no decimal multiple of `unit`.
+  // Throws InputError where the column's name gives a unit that is no decimal multiple of `unit`.
   void check_unit(std::size_t column, const std::string& unit) const;
   SourceLocation place(std::size_t row, std::size_t column) const {
     return {name_, rows_[row].line, rows_[row].cells[column].column};

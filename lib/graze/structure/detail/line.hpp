@@ -54,7 +54,8 @@ struct Line {
 // holds rates, or null.
 Line line_of(const Scene& scene, const Scene* direction);
 
-// Of a beam whose section is everywhere the same; `rate`: its direction, or null.
+// The section of a beam where it is the same everywhere; `rate`: the beam of the direction, or
+// null.
 SectionNumbers<Rated> even_section(const Beam& beam, const Beam* rate);
 
 // The beam's own thickness, or the height or diameter of its section at x, m.
