@@ -1,4 +1,4 @@
-// From a scene to the system of its numbers, and the derivative of these by a parameter.
+// From a scene to its assembled system, and the derivative of the system by a parameter.
 #pragma once
 
 #include <string>
@@ -16,9 +16,9 @@ System assemble(const Scene& scene);
 // Throws InputError when the scene has no such parameter.
 System system_tangent(const Scene& scene, const std::string& parameter);
 
-// The same from a modal model that is at hand, for many systems of one structure. `model` is that
-// of the scene, `direction` the rate of change of its numbers (parameter_direction), `rate` the
-// model's along it, `system` what is assembled of them.
+// The same from a given modal model, for many systems of one structure. `model` is that of the
+// scene, `direction` the rate of change of the scene's numbers (parameter_direction), `rate` the
+// model's rate along it, `system` the system assembled from `scene` and `model`.
 System assemble(const Scene& scene, const ModalModel& model);
 System system_tangent(const Scene& scene, const Scene& direction, const ModalModel& model,
                       const ModalModel& rate, const System& system);

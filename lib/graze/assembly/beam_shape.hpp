@@ -15,8 +15,7 @@ struct BeamStop {
   bool is_above = true;
 };
 
-// Places along it, and the rows that give the displacement there, one row a
-// place: u = rows * q, m.
+// Places along it, and the rows that give the displacement there: u = rows * q, m.
 struct BeamPlaces {
   std::string structure;  // "beam", "string" or "bar"
   std::vector<double> x;  // m from the left end, both ends among them
@@ -24,7 +23,7 @@ struct BeamPlaces {
   std::vector<BeamStop> stops;
 };
 
-// Nothing where the modes are given, or where the beam's clamp turns with a hub.
+// Returns nullopt when the modes are given, or when the beam's clamp rotates with a hub.
 std::optional<BeamPlaces> beam_places(const Scene& scene, int places);
 
 }  // namespace graze

@@ -19,8 +19,8 @@ bool is_preloaded(const System& system) {
                      [](const Stop& stop) { return stop.gap < 0.0; });
 }
 
-// What a mode of frequency 0 is held by, (rad/s)^2: nothing but its stops, of which the stiffness
-// that they are preloaded with stands in for its own; 0 for all others.
+// Artificial stiffness of a mode of frequency 0, (rad/s)^2, which is held by its preloaded stops
+// only: their stiffness replaces its own; 0 for all other modes.
 Vector lent_stiffness(const System& system) {
   Vector lent = Vector::Zero(system.modes());
   for (const Stop& stop : system.stops) {
@@ -32,8 +32,8 @@ Vector lent_stiffness(const System& system) {
   return lent;
 }
 
-// The structure pressed by forces at its stops, as far as they are concerned: a unit force at one
-// moves it off the others by `delassus`; without any it lies `beyond` them.
+// The structure pressed by forces at its stops: a unit force at one stop moves the structure off
+// the others by `delassus`; without forces it lies `beyond` them.
 struct Pressed {
   Vector compliance, free;  // of the modes; rest without stops
   Matrix rows, directions;
@@ -41,7 +41,7 @@ struct Pressed {
   Vector beyond, rounding;
 };
 
-// Its lent stiffness pulls it to `rest`.
+// The lent stiffness pulls the structure to `rest`.
 Pressed pressed_against(const System& system, const Vector& lent, const Vector& rest) {
   const Eigen::Index n = system.modes(), k = static_cast<Eigen::Index>(system.stops.size());
   Pressed at{(system.omega.cwiseAbs2() + lent).cwiseInverse(),
@@ -67,8 +67,8 @@ Pressed pressed_against(const System& system, const Vector& lent, const Vector& 
 
 // The forces of springs F(x) and rigid stops (x <= 0) together, x = beyond - D F, by Newton's
 // method: each spring is replaced by its tangent at the depth reached so far, which is a contact
-// with the compliance 1/F'(x). One that is clear of its spring has no tangent and takes no part
-// until it is reached. Nothing where that does not settle.
+// with the compliance 1/F'(x). A spring that is not touched has no tangent and takes no part until
+// it is reached. Returns nullopt when the iteration does not settle.
 std::optional<Vector> static_forces(const System& system, const Pressed& at) {
   constexpr int kMostSteps = 200;
   const Eigen::Index k = at.beyond.size();
@@ -120,8 +120,8 @@ bool hold_free_modes(const System& system, const Vector& lent, const Pressed& at
   return PivotedLu<double>(rows * rows.transpose()).is_invertible();
 }
 
-// What is lent takes no force once the structure is pulled to where it lies: each round halves the
-// way, more or less, as half of the stiffness is lent. Forces are known to some roundings.
+// Moves the pull of the lent stiffness to where the structure lies, until that stiffness carries no
+// force: each round about halves the distance. Forces are known to some roundings.
 std::optional<Balance> balance_of_free_modes(const System& system, const Vector& lent, Vector q) {
   constexpr int kMostRounds = 200;
   constexpr double kRoundings = 16.0;
@@ -180,7 +180,7 @@ Vector as_vector(const std::vector<double>& list) {
   return Eigen::Map<const Vector>(list.data(), static_cast<Eigen::Index>(list.size()));
 }
 
-// What of the start puts the structure where it is.
+// The key of the scene that places the structure at the start.
 std::string start_key(const Initial& initial) {
   const bool bent =
       std::any_of(initial.q.begin(), initial.q.end(), [](double q) { return q != 0.0; });

@@ -13,7 +13,7 @@ namespace graze {
 // penetration, when it lies beyond a stop by more than the rounding of row.q.
 State initial_state(const Scene& scene, const System& system);
 
-// The same, or nothing where the motion cannot start there.
+// The same, but returns nullopt when the motion cannot start there.
 std::optional<State> clear_start(const Scene& scene, const System& system);
 
 }  // namespace graze

@@ -73,8 +73,8 @@ std::vector<std::string> notes_of(const MatrixModes& matrices, Units units) {
   return notes;
 }
 
-// Modes with periods beyond an hour are those of no structure that meets stops. Where masses of
-// kilograms and stiffnesses of 1e3 N/m and more have changed places, all of them have such.
+// Modes with periods beyond an hour belong to no structure that meets stops. All of them are that
+// slow when masses of kilograms and stiffnesses of 1e3 N/m and more have changed places.
 constexpr double kSlowMode = 1e-3;  // rad/s
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What is told of the natural modes of a scene's structure, whichever it is.
+// A table of the natural modes of a scene's structure, of whichever kind.
 #pragma once
 
 #include <optional>
@@ -19,10 +19,10 @@ struct DirectionShare {
   std::optional<double> total_mass{};  // kg, which those of all modes add up to
 };
 
-// How far the kept modes go towards the static flexibility of the structure at a stop, m/N.
+// The part of the static flexibility of the structure at a stop that the kept modes give, m/N.
 struct StopFlexibility {
   double kept = 0.0;              // sum of (phi_j/w_j)^2, without rigid-body modes
-  std::optional<double> whole{};  // of the structure; nothing where only its modes are known
+  std::optional<double> whole{};  // of the structure; nullopt when only its modes are known
 };
 
 struct ModeTable {
@@ -50,9 +50,9 @@ struct NamedShapes {
   std::vector<std::string> names;
   Matrix values;  // places by modes
 };
-// Nothing where a structure is known by its modes alone, or turns with a hub.
+// Returns nullopt when only the modes of the structure are known, or when it rotates with a hub.
 std::optional<NamedShapes> named_shapes(const Scene& scene);
-// From a file whose lines are a degree of freedom and its displacement in each shape. Throws
+// Reads a file whose lines are a degree of freedom and its displacement in each shape. Throws
 // FileError, and InputError with file:line.
 NamedShapes read_shapes(const std::string& file);
 

@@ -27,14 +27,14 @@ struct ProbeRow {
   double value(const State& state) const { return row.dot(of_velocity ? state.qdot : state.q); }
 };
 
-// Of a checked scene, in the order of its probes, on the beam's own modes.
+// The probes of a checked scene, in their order, as rows on the beam's own modes.
 std::vector<ProbeRow> probe_rows(const Scene& scene);
 
-// The same on the coordinates of the system that the scene became.
+// The same as rows on the coordinates of the assembled system.
 std::vector<ProbeRow> probe_rows(const Scene& scene, const System& system);
 
-// A place whose motion is measured: a probe, or the structure at a stop, whose displacement is u as
-// the scene has it, on whichever side the stop stands.
+// A place whose motion is measured: a probe, or the structure at a stop, whose displacement is u in
+// the sign of the scene, on whichever side the stop stands.
 struct MeasuredPlace {
   std::optional<int> probe{}, stop{};  // one of them, index from 0
   std::string unit;                    // of probe_unit(), "" of a scene without units

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Index;
 
-// Of what is left, to call it known: two digits.
+// Largest relative error of the residual flexibility that is accepted: two digits are known.
 constexpr double kKnown = 0.01;
 
 bool is_residual(const SceneStop& stop) { return stop.spring && stop.spring->is_residual; }
@@ -27,12 +27,12 @@ std::string stiffness_path(std::size_t stop) {
   return numbered_path("stop", stop + 1) + ".spring.stiffness";
 }
 
-// The row of a stop towards it.
+// The row of a stop, positive towards it.
 Vector row_of(const Scene& scene, const ModalModel& model, std::size_t stop) {
   return (scene.stops[stop].side == Side::kAbove ? 1.0 : -1.0) * model.shapes[stop];
 }
 
-// On either side of one place, so that only one of them can be touched.
+// Whether two stops are on either side of one place, so that only one of them can be touched.
 bool face_each_other(const Scene& scene, const ModalModel& model, std::size_t a, std::size_t b) {
   constexpr double kRoundings = 64.0;
   const Vector first = row_of(scene, model, a), second = row_of(scene, model, b);
@@ -66,7 +66,7 @@ void check_left(const Scene& scene, const ModalModel& model, const Matrix& left,
   }
 }
 
-// Whatever the other stop is: its force moves the modes left out.
+// Checks the coupling to all other stops, rigid ones too: their forces move the modes left out.
 void check_coupling(const Scene& scene, const ModalModel& model, const Matrix& left,
                     const Vector& uncertain) {
   for (std::size_t i = 0; i < scene.stops.size(); ++i)

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kSharpness = 3.0;  // Q of Yigit, Ulsoy & Scott (1990)
 
-// A number and how it moves.
+// A number and its rate.
 struct Moving {
   double value = 0.0, rate = 0.0;
 };
@@ -19,15 +19,15 @@ Moving moving(const std::optional<double>& value, const std::optional<double>& r
   return {value.value_or(0.0), rate.value_or(0.0)};
 }
 
-// zeta over e, where the contact ends at zero depth: x/sqrt(pi^2 + x^2), x = -ln e.
+// zeta over e where the contact ends at zero depth: x/sqrt(pi^2 + x^2), x = -ln e.
 Moving ratio_in_print(const Moving& e) {
   const double x = -std::log(e.value), size = std::hypot(std::numbers::pi, x);
   const double slope = std::numbers::pi * std::numbers::pi / (size * size * size);
   return {damping_ratio_of(e.value), -slope * e.rate / e.value};
 }
 
-// And at zero force: -ln e = 2 zeta g, g = arccos(zeta)/sqrt(1 - zeta^2), (1 - zeta^2) g' =
-// zeta g - 1; at zeta = 1 g' = -1/3.
+// zeta over e where the contact ends at zero force: -ln e = 2 zeta g, g = arccos(zeta)/sqrt(1 -
+// zeta^2), (1 - zeta^2) g' = zeta g - 1; at zeta = 1 g' = -1/3.
 Moving ratio_at_zero_force(const Moving& e) {
   const double zeta = damping_ratio_at_zero_force(e.value);
   const double g = zeta > 0.0 ? -std::log(e.value) / (2.0 * zeta) : 0.5 * std::numbers::pi;

@@ -1,4 +1,4 @@
-// The systems that a scene becomes while one of its parameters varies.
+// The systems of a scene over one of its parameters.
 #pragma once
 
 #include <optional>
@@ -20,10 +20,10 @@ class SystemFamily {
   // The scene's own value of the parameter.
   double value() const;
 
-  // System, and its derivative by the parameter, at a value; nothing where the scene does not allow
+  // System, and its derivative by the parameter, at a value; nullopt when the scene does not allow
   // that value (a negative length, a stop off the beam).
   std::optional<System> at(double value) const;
-  // The scene there, likewise.
+  // The scene at that value, likewise.
   std::optional<Scene> scene_at(double value) const;
   std::optional<System> tangent_at(double value) const;
 
@@ -32,8 +32,8 @@ class SystemFamily {
   std::string parameter_;
 };
 
-// The systems of a scene one after the other, as a continuation asks for them over one parameter or
-// several: what does not change with them is assembled once. One thread at a time.
+// The systems of a scene one after the other, as a continuation in one or several parameters needs
+// them: the parts that do not depend on these are assembled once. For one thread at a time.
 class SystemCursor {
  public:
   // Values are in the order of the parameters. Throws InputError when the scene has no such
@@ -49,7 +49,7 @@ class SystemCursor {
   const System* at(std::span<const double> values);
   const System* tangent_at(std::span<const double> values, std::size_t parameter);
 
-  // Of a family.
+  // For a family of one parameter.
   const System* at(double value) { return at(std::span(&value, 1)); }
   const System* tangent_at(double value) { return tangent_at(std::span(&value, 1), 0); }
 
@@ -65,7 +65,7 @@ class SystemCursor {
   std::vector<Parameter> parameters_;
   bool fixed_model_ = true;          // whatever the values
   bool moved_ = false;               // to any values yet
-  std::optional<System> system_;     // at the present values; nothing where they are not allowed
+  std::optional<System> system_;     // at the present values; nullopt when they are not allowed
   std::optional<ModalModel> model_;  // of the present values, or of all
 };
 

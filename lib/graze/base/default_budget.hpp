@@ -1,9 +1,9 @@
-// The work that is done at most where a caller sets no bound of its own.
+// Limits on the amount of work where a caller sets none.
 #pragma once
 
 namespace graze {
 
-// Impacts of one motion.
+// Number of impacts of one motion.
 inline constexpr long long kDefaultImpactBudget = 10'000'000;
 
 }  // namespace graze

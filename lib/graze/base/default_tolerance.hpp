@@ -1,9 +1,9 @@
-// The accuracy that is aimed at where a scene or a caller names none.
+// The accuracy where neither the scene nor the caller gives one.
 #pragma once
 
 namespace graze {
 
-// Of a displacement over one forcing period, relative to the motion's.
+// Error of a displacement over one forcing period, relative to the size of the motion.
 inline constexpr double kDefaultTolerance = 1e-10;
 
 }  // namespace graze

@@ -1,5 +1,5 @@
-// What goes wrong outside the numerics. Numerics that cannot do what was asked return an outcome
-// with a sentence instead of throwing.
+// Errors outside the numerics, as exceptions. A computation that fails returns an outcome with a
+// sentence instead of throwing.
 #pragma once
 
 #include <stdexcept>

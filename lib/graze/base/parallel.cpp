@@ -15,8 +15,8 @@
 namespace graze {
 namespace {
 
-// An arena of so many threads that nobody else uses meanwhile. TBB does not give back all that it
-// takes for one, some seven kilobytes, so that those there are serve again.
+// An arena of so many threads that nobody else uses meanwhile. TBB does not give back all memory of
+// an arena, some seven kilobytes, so that idle arenas are used again.
 class LentArena {
  public:
   explicit LentArena(int threads) : threads_(threads) {

@@ -1,4 +1,4 @@
-// How much of a known number of pieces is done, told as it grows.
+// Reports which fraction of a known number of pieces of work is done.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ class ProgressCounter {
     ++done_;
     if (tell_) tell_(static_cast<double>(done_) / static_cast<double>(due_));
   }
-  // Once no thread adds any more.
+  // To be asked once no thread adds any more.
   bool is_complete() const { return done_ == due_; }
 
  private:

@@ -6,7 +6,7 @@
 
 namespace graze {
 
-// A thread that says when the grace after a signal is over.
+// A thread that sets is_over() when the grace after a signal has passed.
 class StopScope::Watch {
  public:
   Watch(const StopSignal& stop, std::chrono::milliseconds grace)

@@ -1,5 +1,4 @@
-// When long work has to stop before its end. Whoever does such work polls it and keeps what is
-// finished.
+// When long work has to stop before its end. The work polls the signal and keeps what is finished.
 #pragma once
 
 #include <atomic>

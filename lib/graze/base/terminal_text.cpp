@@ -35,7 +35,7 @@ bool is_in(std::uint32_t code, std::uint32_t first, std::uint32_t last) {
   return code >= first && code <= last;
 }
 
-// Whether a terminal would do something else than to show it.
+// Whether a terminal would act on the character instead of showing it.
 bool is_obeyed(std::uint32_t code) {
   return code < 0x20 || is_in(code, 0x7F, 0x9F) || is_in(code, 0x200B, 0x200F) ||
          is_in(code, 0x2028, 0x202E) || is_in(code, 0x2060, 0x206F) || code == 0xFEFF;

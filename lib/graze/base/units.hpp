@@ -1,4 +1,4 @@
-// Whether numbers have SI units or none, and the units of what is told of them.
+// Whether numbers have SI units or none, and the units of reported quantities.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@ namespace graze {
 
 enum class Units { kSi, kNone };
 
-// A unit as results are told in: itself, "" where numbers are pure.
+// The unit to report: `unit` itself, "" where numbers are pure.
 inline std::string unit_in(Units units, const std::string& unit) {
   return units == Units::kSi ? unit : "";
 }
 
-// Behind a number in a sentence, with the space between: " s", "" where numbers are pure.
+// What follows a number in a sentence, with the space between: " s", "" where numbers are pure.
 inline std::string unit_behind(Units units, const std::string& unit) {
   return units == Units::kSi ? " " + unit : "";
 }

@@ -10,7 +10,7 @@ using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
 using Complex = std::complex<double>;
 using ComplexVector = Eigen::VectorXcd;
-// Of whatever scalar a motion is followed in.
+// Vectors of any scalar type that motions are computed in (double, or 50 digits).
 template <class Real>
 using RealVector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 template <class Real>

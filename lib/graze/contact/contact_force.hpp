@@ -33,7 +33,7 @@ struct ContactForce {
   Separation separation = Separation::kAtZeroForce;
   bool operator==(const ContactForce&) const = default;
 
-  // x^n; below the surface of the stop its odd continuation, which a step that ends there sees.
+  // x^n; below the surface of the stop its odd continuation, as a time step may end there.
   double power(double x) const {
     if (exponent == 1.0) return x;
     if (exponent == 1.5) return x * std::sqrt(std::abs(x));
@@ -85,8 +85,8 @@ struct ContactForce {
   }
   // Derivative of F at fixed x and v when the numbers of the law move along `rates`.
   double rate_at(double x, double v, const ContactForce& rates) const;
-  // F over the power of x that all its terms hold: positive where F is, for x > 0, but without the
-  // zero that F has at x = 0. N, or N/m^n (power), N/m (depth).
+  // F divided by the power of x that all its terms share: it has the sign of F for x > 0, but not
+  // the zero of F at x = 0. N, or N/m^n (power), N/m (depth).
   double grip(double x, double v) const {
     switch (damping) {
       case ContactDamping::kNone:
@@ -101,7 +101,7 @@ struct ContactForce {
     }
     return 0.0;
   }
-  // The sizes of its terms, added up.
+  // The sum of the absolute values of the terms of grip().
   double grip_size(double x, double v) const {
     const double speed = std::abs(v);
     switch (damping) {
@@ -117,7 +117,7 @@ struct ContactForce {
     }
     return 0.0;
   }
-  // Its rate of change at acceleration a of the depth.
+  // Rate of change of grip() where the depth has the acceleration a.
   double grip_rate(double x, double v, double a) const {
     switch (damping) {
       case ContactDamping::kNone:

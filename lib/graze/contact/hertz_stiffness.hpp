@@ -22,8 +22,8 @@ struct ElasticBody {
   double poisson_ratio = 0.0;  // 1
 };
 
-// N/m^(3/2). `angle`: between the first planes of the two bodies, rad. Nothing where they do not
-// touch at a point (a flat pair, parallel cylinders, a ball in a tighter hollow).
+// N/m^(3/2). `angle`: between the first planes of the two bodies, rad. Returns nullopt when they do
+// not touch at a point (a flat pair, parallel cylinders, a ball in a tighter hollow).
 std::optional<double> hertz_stiffness(const ElasticBody& first, const ElasticBody& second,
                                       double angle = 0.0);
 

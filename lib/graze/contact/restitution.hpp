@@ -20,7 +20,7 @@ class Restitution {
 
   const std::vector<double>& coefficients() const { return coefficients_; }
   bool is_constant() const { return coefficients_.size() == 1; }
-  // The limit v -> 0: what decides whether a chatter can complete (a0 < 1).
+  // The limit v -> 0, which decides whether a chatter can complete (a0 < 1).
   double at_rest() const { return coefficients_.front(); }
 
   // The polynomial before it is clamped.

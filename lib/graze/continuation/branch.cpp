@@ -15,18 +15,19 @@
 namespace graze {
 namespace {
 
-// On beyond a branch point from beside which no step leads on.
+// Continues beyond a branch point from beside which no step succeeds.
 //
-// Points next to a branch point are badly determined along the branch that crosses. Where a trace
-// got stuck on one of them it is taken back a little, and on in one step of about the length by
-// which it was taken back.
+// Points next to a branch point are badly determined along the branch that crosses. When a trace
+// gets stuck on one of them it goes back a little, and then on in one step of about the same
+// length.
 class CrossingStep {
  public:
   // Refers to both, which must outlive it.
   CrossingStep(Corrector& corrector, Stepper& stepper) : corrector_(corrector), stepper_(stepper) {}
 
-  // The point beyond, the points too near to the branch point dropped from the branch; `h` becomes
-  // the length of the step. Nothing, and the branch as it was, where that does not help either.
+  // Returns the point beyond; the points too near to the branch point are dropped from the branch
+  // and `h` becomes the length of the step. Returns nullopt, with the branch unchanged, when that
+  // fails too.
   std::optional<SolutionPoint> pass(GrowingBranch& branch, double& h);
 
  private:
@@ -43,8 +44,8 @@ std::optional<SolutionPoint> CrossingStep::pass(GrowingBranch& branch, double& h
   std::optional<SolutionPoint> next;
   for (const double part : {1.0, 3.0, 10.0, 30.0, 100.0}) {
     h = part * kShortest * (1.0 + x.norm());
-    // Where that reach did not lead clear of the branch point a longer one may: how far points are
-    // badly determined goes with the accuracy of the equations.
+    // When this reach did not lead clear of the branch point, a longer one may: how far points are
+    // badly determined depends on the accuracy of the equations.
     if (stuck_ && (*stuck_ - x).norm() <= h && h <= reach_) continue;
     next = pass_within(branch, h);
     if (next) break;
@@ -79,10 +80,11 @@ std::optional<SolutionPoint> CrossingStep::pass_within(GrowingBranch& branch, do
   return next;
 }
 
-// Growth of the step after an easy one, and the turn (as a part of the largest) it aims at.
+// Growth of the step after an easy one, and the turn of the tangent (relative to the largest
+// allowed) that steps aim at.
 constexpr double kGrowth = 1.5;
 constexpr double kAimedTurn = 0.5;
-// Of the longest step; the first one has no points before it to be predicted from.
+// First step, relative to the longest: there are no points before it for a prediction.
 constexpr double kFirstStep = 0.1;
 
 class Tracer {
@@ -144,14 +146,14 @@ class Tracer {
     return branch.take();
   }
 
-  // Where a step leads that is halved until it is accepted, h in the end.
+  // The end of a step, which is halved until it is accepted; h becomes the accepted length.
   std::optional<SolutionPoint> next_point(GrowingBranch& branch, double& h, double& turn) {
     h = std::min(h, stepper_.longest(branch.last()));
     while (true) {
       if (auto next = stepper_.step(branch.before_last(), branch.last(), h, turn)) return next;
       branch.count_rejected();
       h *= 0.5;
-      // Below this the two ends of a step are one point in double precision.
+      // Below this the two ends of a step are the same point in double precision.
       const double size = 1.0 + corrector_.pack(branch.last()).norm();
       if (!std::isfinite(size)) return {};
       if (h < 1e3 * std::numeric_limits<double>::epsilon() * size) return crossing_.pass(branch, h);

@@ -1,5 +1,5 @@
-// Pseudo-arclength continuation of F(u, parameter) = 0, F: R^n x R -> R^n. Generic: it knows
-// nothing of what the equations stand for.
+// Pseudo-arclength continuation of F(u, parameter) = 0, F: R^n x R -> R^n. Generic: it does not
+// depend on what the equations stand for.
 //
 //   #include "graze/continuation/branch.hpp"
 //
@@ -11,9 +11,9 @@
 // branch points. The metric is Euclidean: scale the unknowns so that a change of one is large.
 //
 // Special points, named as AUTO and MatCont name them: folds (LP) and branch points (BP) of any
-// equations; period doublings (PD) and tori (NS) where the problem tells the multipliers of its
+// equations; period doublings (PD) and tori (NS) where the problem gives the multipliers of its
 // solutions (map.hpp makes such a problem of a map). They are located to the last digits that
-// arclength carries. See switching.hpp for going on across them.
+// arclength carries. See switching.hpp for continuing across them.
 #pragma once
 
 #include <functional>
@@ -25,14 +25,15 @@
 namespace graze {
 
 // The solution near u at a fixed parameter, with a tangent that points to growing parameter (or
-// along growing arclength at a fold). Nothing when Newton's method does not reach the tolerance.
+// along growing arclength at a fold). Returns nullopt when Newton's method does not reach the
+// tolerance.
 std::optional<SolutionPoint> solve_at(const ZeroProblem& problem,
                                       const ContinuationOptions& options, const Vector& u,
                                       double parameter);
 
 // The same near (u, parameter) where the branch may turn back there: on the hyperplane normal to
 // the branch, whose direction in (u, parameter/range) is `along` or, where that is empty, the
-// kernel of dF/dx. Nothing likewise, or at a branch point.
+// kernel of dF/dx. Returns nullopt likewise, and at a branch point.
 std::optional<SolutionPoint> solve_near(const ZeroProblem& problem,
                                         const ContinuationOptions& options, const Vector& u,
                                         double parameter, const Vector& along = {});
@@ -44,8 +45,8 @@ Branch trace_branch(const ZeroProblem& problem, const ContinuationOptions& optio
                     const SolutionPoint& start, Directions directions = Directions::kBoth);
 
 // The point of the branch between neighbours a and b where `test` changes sign, to the last digits
-// that arclength carries and on the side where `test` is not negative. Nothing when the corrector
-// fails on the way or the signs agree.
+// that arclength carries and on the side where `test` is not negative. Returns nullopt when the
+// corrector fails on the way or the signs agree.
 std::optional<SolutionPoint> locate(const ZeroProblem& problem, const ContinuationOptions& options,
                                     const SolutionPoint& a, const SolutionPoint& b,
                                     const std::function<double(const SolutionPoint&)>& test);

@@ -23,10 +23,10 @@ struct MapEvaluation {
 };
 
 struct Map {
-  // Nothing where the map cannot be evaluated.
+  // Returns nullopt when the map cannot be evaluated.
   std::function<std::optional<MapEvaluation>(const Vector& x, Parameters at)> evaluate;
   // The derivatives of left^T df/dx right by (x, parameters), the vectors (n) held fixed: n + m.
-  // Nothing likewise. Only loci ask for it.
+  // Returns nullopt likewise. Only loci call it.
   std::function<std::optional<Vector>(const Vector& x, Parameters at, const Vector& left,
                                       const Vector& right)>
       curvature{};
@@ -35,8 +35,8 @@ struct Map {
 // Orbits of period `period`; the unknown is (x_1, .., x_period), one after the other.
 ZeroProblem periodic_points(const Map& map, int period = 1);
 
-// The solution of period n seen as one of period 2n, where it is a branch point if it doubles
-// there: what other_branch() switches from onto the doubled orbits.
+// The solution of period n as one of period 2n, which is a branch point if it doubles there:
+// other_branch() switches from it onto the doubled orbits.
 SolutionPoint twice_round(const SolutionPoint& point);
 
 }  // namespace graze

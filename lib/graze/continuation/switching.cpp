@@ -25,8 +25,8 @@ std::optional<SolutionPoint> other_branch(const ZeroProblem& problem,
   const Vector second = null.right.col(1) - known.dot(null.right.col(1)) * known;
   if (second.norm() > across.norm()) across = second;
   across.normalize();
-  // Second derivatives by differences: they only say where to look, the corrector decides. Their
-  // step balances the rounding of the slope against its third derivative.
+  // Second derivatives by differences: they only give a direction to search in, the corrector
+  // decides. Their step balances the rounding of the slope against its third derivative.
   const double step = std::cbrt(std::numeric_limits<double>::epsilon()) * (1.0 + x.norm());
   const std::optional<Matrix> ahead = corrector.slope_at(x + step * across),
                               behind = corrector.slope_at(x - step * across);
@@ -44,7 +44,7 @@ std::optional<SolutionPoint> other_branch(const ZeroProblem& problem,
 }
 
 void list_crossing(Branch& branch) {
-  // No sign changes from it to the next.
+  // The orientation has no sign change from it to the next point.
   const auto here =
       std::find_if(branch.points.begin(), branch.points.end(),
                    [&](const SolutionPoint& point) { return point.orientation == 0; });

@@ -1,4 +1,4 @@
-// Going on across special points.
+// Continuing across special points.
 //
 //   #include "graze/continuation/switching.hpp"
 //
@@ -18,15 +18,15 @@
 
 namespace graze {
 
-// The branch point once more, with the tangent of the other branch that passes it: a start for
-// trace_branch. `at.tangent` is that of the known one. Nothing where the equations cannot be
-// evaluated around it, or where no second branch stands out.
+// The branch point once more, with the tangent of the other branch through it: a start for
+// trace_branch. `at.tangent` is that of the known one. Returns nullopt when the equations cannot be
+// evaluated around it, or no second branch can be distinguished.
 std::optional<SolutionPoint> other_branch(const ZeroProblem& problem,
                                           const ContinuationOptions& options,
                                           const SolutionPoint& at);
 
 // A branch that was traced both ways from a branch point has that among its points, a closed one at
-// its ends: makes it one of its special points.
+// its ends: lists it among the special points.
 void list_crossing(Branch& branch);
 
 }  // namespace graze

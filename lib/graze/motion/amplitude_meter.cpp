@@ -17,7 +17,7 @@
 namespace graze {
 namespace {
 
-// Of a step: its ends, and the nodes of Gauss' rule between them, in rising order.
+// Nodes of a step: its ends, and the nodes of Gauss' rule between them, in rising order.
 constexpr std::size_t kNodes = 9;
 using Nodes = std::array<double, kNodes>;
 
@@ -104,7 +104,7 @@ void AmplitudeMeter::each_part(double time, double from, double to, const Each& 
     each(from, to);
     return;
   }
-  // The cuts are of the run's time, the ends are those of the flight.
+  // Windows are cut in the time of the run, flights in their own.
   windows_->each_part(time + from, time + to, [&](double begin, double end) {
     const double a = begin == time + from ? from : begin - time;
     const double b = end == time + to ? to : end - time;

@@ -1,4 +1,4 @@
-// What a run remembers of a chatter that was summed, until it is over.
+// The tail of a chatter that was summed, until it is over.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace graze {
 
-// The tail of a chatter, summed: the motion is at rest on its stops from the instant at which that
-// was done, but whoever reads events hears of it when the tail is over.
+// The tail of a chatter that was summed: the motion is at rest on its stops from the instant of the
+// summation, but events report this only when the tail is over.
 struct ChatterTail {
   std::vector<int> stops;  // ascending
   Instant<double> over;

@@ -16,7 +16,7 @@ bool rises(const ArcCurve<double>& curve, double s) {
   return std::abs(rate.value) > rate.noise ? rate.value > 0.0 : rate.slope > 0.0;
 }
 
-// Until when, from s on, the gap is sure to stay above a level: steps as those of first_zero.hpp,
+// Until when, from s on, the gap is certain to stay above a level: steps as in first_zero.hpp,
 // while they are as long as one that would pass an extremum.
 double stays_above(const ArcCurve<double>& curve, double level, double s, int& evaluations) {
   double longest = 0.0;
@@ -27,7 +27,7 @@ double stays_above(const ArcCurve<double>& curve, double level, double s, int& e
     const double clear = point.value - point.noise - level;
     if (!(clear > 0.0)) break;
     const double step = first_zero_detail::clear_step(point, clear);
-    // They shrink where the gap comes down to the level.
+    // Steps shrink where the gap comes down to the level.
     if (!(s + step > s) || 4.0 * step < longest) break;
     s += step;
     longest = std::max(longest, step);
@@ -35,8 +35,8 @@ double stays_above(const ArcCurve<double>& curve, double level, double s, int& e
   return s;
 }
 
-// The next extremum of the gap after s: a maximum where the gap rises at s, else a minimum. Where
-// it is comes with it only where that is asked for: of a minimum that may lie below a level.
+// The next extremum of the gap after s: a maximum where the gap rises at s, else a minimum. Its
+// exact place is computed only for a minimum that may lie below the level.
 struct Extremum {
   FirstZero<double> place;
   bool exact = false;
@@ -53,7 +53,7 @@ Extremum next_extremum(const ArcCurve<double>& curve, double s, bool rising, dou
   const Descent<double> near = approach_descent(sample, s, curve.window(), StopScope::current());
   Extremum found{near.zero, false, 0.0};
   if (near.zero.kind != ZeroKind::kCrossing) return found;
-  // The rate only falls until here, and passes zero on the way.
+  // The rate falls up to here, and passes zero on the way.
   const double rate = std::max(near.point.value, 0.0);
   found.beyond = near.zero.s + 2.0 * (rate / -near.point.slope);
   if (found.beyond <= curve.window() && found.beyond > s) {
@@ -64,13 +64,13 @@ Extremum next_extremum(const ArcCurve<double>& curve, double s, bool rising, dou
   }
   found.place = finish_descent(sample, near, curve.window());
   found.exact = true;
-  // The rate leaves its zero on a parabola at least.
+  // The rate leaves its zero at least as fast as a parabola.
   found.beyond = found.place.s + 2.0 * (-found.place.slope / near.point.bound);
   return found;
 }
 
-// Where the search for extrema begins, after a departure of this multiplicity; nothing where the
-// gap rises for ever.
+// Where the search for extrema begins, after a departure of this multiplicity; nullopt when the gap
+// rises for ever.
 struct SearchStart {
   double s = 0.0;
   bool rising = false;
@@ -87,8 +87,8 @@ std::optional<SearchStart> search_start(const ArcCurve<double>& curve, int multi
   return SearchStart{0.0, rises(curve, 0.0)};
 }
 
-// The interior minima below a level, one after the other; what `visit` returns is the level from
-// there on. Returns how far along the window it came, or nothing when that was to its end.
+// Visits the interior minima below a level, one after the other; `visit` returns the level from
+// there on. Returns how far along the window the search came, or nullopt when it reached the end.
 template <class Visit>
 std::optional<double> visit_minima(const ArcCurve<double>& curve, int multiplicity, double below,
                                    const Visit& visit) {
@@ -116,7 +116,8 @@ std::optional<double> visit_minima(const ArcCurve<double>& curve, int multiplici
       s = extremum.beyond;
       rising = !rising;
     } else if (place.kind == ZeroKind::kTouch) {
-      // An inflection within rounding: pass the width over which the rate stays in its rounding.
+      // An inflection within rounding: skip the width over which the rate stays within its
+      // rounding.
       const CurvePoint<double> point = curve.at(place.s, 1);
       if (point.bound == 0.0) return {};  // the gap does not change
       const double width = std::sqrt(2.0 * point.noise / point.bound);
@@ -142,7 +143,7 @@ std::optional<GapMinimum> lowest_minimum(const ArcCurve<double>& curve, int mult
         lowest = minimum;
         return minimum.gap;
       });
-  // Nothing is known of the rest of the window, so nothing is promised of it.
+  // Unfinished: nothing is known of the rest of the window.
   if (reached) return GapMinimum{*reached, -std::numeric_limits<double>::infinity()};
   return lowest;
 }

@@ -2,9 +2,9 @@
 //
 //   start + forcing + load + constraint + impacts + contact - dissipation = now,
 //
-// where energy is (|q'|^2 + |w q|^2)/2, relative to the clamp, without that of compressed stops; of
-// a structure on a hub (q'.M q' + |w q|^2)/2, forcing being its torque and load its weight. Every
-// entry is computed on its own, so the balance closes only if all of them are right.
+// where energy is (|q'|^2 + |w q|^2)/2, relative to the clamp, without that of compressed stops; on
+// a rotating hub it is (q'.M q' + |w q|^2)/2, forcing is the work of the torque and load that of
+// the weight. Every entry is computed independently, so the balance closes only if all are right.
 #pragma once
 
 #include <cmath>
@@ -18,7 +18,7 @@ struct EnergyBalance {
   Work work;
   double impacts = 0.0;  // change at impacts and closed chatters
 
-  // What is missing, and the size of the largest entry to compare it with.
+  // The difference of both sides, and the size of the largest entry to compare it with.
   double defect() const {
     return start + work.forcing + work.load + work.constraint + impacts + work.contact -
            work.dissipation - now;

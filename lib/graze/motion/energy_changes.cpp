@@ -30,7 +30,7 @@ void impact_energy(const System& system, const std::vector<ImpactShare<double>>&
   energy.total = 0.0;
   energy.hits.clear();
   double elsewhere = 0.0;
-  // Sums are formed in the order of the shares, which knows nothing of how stops are listed.
+  // Sums are formed in the order of the shares, which does not depend on how stops are listed.
   for (const ImpactShare<double>& share : shares) {
     const Stop& s = system.stops[static_cast<std::size_t>(share.stop)];
     const double r = s.restitution().at(share.speed);

@@ -9,7 +9,8 @@
 namespace graze {
 namespace {
 
-// Of a forcing period or of the slowest oscillation: a motion meets its stops a few times in it.
+// Part of a forcing period or of the slowest oscillation, in which a motion usually meets its stops
+// a few times.
 constexpr double kCrowded = 0.1;
 constexpr std::size_t kMostStops = 6;  // named
 

@@ -40,11 +40,11 @@ WalkStep MotionWalk<Real>::next(const Instant<Real>& end) {
   return step ? *step : depart(end);
 }
 
-// From the present instant on.
+// Takes the next step from the present instant on.
 template <class Real>
 WalkStep MotionWalk<Real>::depart(const Instant<Real>& end) {
   const Instant<Real>& now = motion_.instant();
-  // What lies at the end of an arc that is cut is decided when it is flown again, whole.
+  // The event at the end of a cut arc is decided when the arc is flown again as a whole.
   if (std::exchange(cut_, false) && not_before(now, end)) return WalkStep::kEnd;
   at_once_ = motion_.has_pending_events();
   if (!at_once_) {
@@ -76,7 +76,7 @@ WalkStep MotionWalk<Real>::depart(const Instant<Real>& end) {
 
 template <class Real>
 WalkStep MotionWalk<Real>::fly() {
-  // Whoever is asked for a motion on the way to something else may have no signal to hand on.
+  // Callers without a signal of their own are covered by the scope's.
   const StopSignal& stop = StopScope::current();
   if (stop.interrupted || stop.deadline) motion_.stop_on(stop);
   if (StopScope::is_over()) {
@@ -89,7 +89,7 @@ WalkStep MotionWalk<Real>::fly() {
   return WalkStep::kFlight;
 }
 
-// What lies at the end of the flight, if anything.
+// The event at the end of the flight, if any.
 template <class Real>
 std::optional<WalkStep> MotionWalk<Real>::happen() {
   stop_ = arrival_.stop;
@@ -132,10 +132,10 @@ void MotionWalk<Real>::leave_tail() {
   if (tail_->stops.empty()) tail_.reset();
 }
 
-// Of the chatter that the impact belongs to; nothing where it cannot be summed yet.
+// Sums the chatter that the impact belongs to; returns nullopt when that is not yet possible.
 template <class Real>
 std::optional<WalkStep> MotionWalk<Real>::sum_tail() {
-  // Against a single stop only impacts as slow as that are summed.
+  // At a single stop only impacts up to the closure speed are summed.
   if (alone_ && shares_->size() == 1 && shares_->front().speed > closure_speed_) return {};
   closed_ = motion_.close_chatter(*shares_, closure_speed_);
   if (!closed_) return {};
@@ -165,7 +165,7 @@ std::string MotionWalk<Real>::failure() const {
 }
 
 template class MotionWalk<double>;
-// Compiled in motion_extended.cpp: here its definitions may stand in the same unit.
+// Compiled in motion_extended.cpp: its definitions may stand in the same unit here.
 extern template class Motion<Extended>;
 template class MotionWalk<Extended>;
 

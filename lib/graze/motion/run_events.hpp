@@ -1,4 +1,4 @@
-// What happens in a run, one by one and in all.
+// The events of a run, single and in total.
 #pragma once
 
 #include <optional>
@@ -18,16 +18,16 @@ struct Event {
   double speed = 0.0;
   std::optional<double> phase{};
   double energy_change = 0.0;
-  // Chatter, at its last resolved impact: how many impacts on this stop fell in speed one after the
-  // other up to it, and the speed below which the rest was summed, m/s. Stops that share a chatter
-  // are reported one by one; the energy stands with the one hit last (fastest).
+  // Chatter, at its last resolved impact: the number of impacts on this stop up to it that each
+  // were slower than the one before, and the speed below which the rest was summed, m/s. Stops that
+  // share a chatter are reported one by one; the energy stands with the one hit last (fastest).
   long long impacts = 0;
   double closure_speed = 0.0;
   // Stick: the contact force that sets in, N.
   double force = 0.0;
-  // Contact: speed and phase as of an impact. Separation: the speed away from the stop, how long
-  // the contact took, s, its largest force, N, the part of its speed that it gave back, absent
-  // where it began at rest, and as energy change minus what the stop took meanwhile.
+  // Contact: speed and phase as for an impact. Separation: the speed away from the stop; the
+  // duration of the contact, s; its largest force, N; its coefficient of restitution, absent where
+  // it began at rest; and as energy change minus the energy that the stop took meanwhile.
   double duration = 0.0;
   double peak_force = 0.0;
   std::optional<double> effective_restitution{};
@@ -39,14 +39,14 @@ struct RunTotals {
   long long clamped_restitutions = 0;  // impacts at which r(v) left [0, 1] and was clamped
   long long undecided_touches = 0;     // grazings within rounding, passed without impact
   double stuck_time = 0.0;             // with at least one stop closed, s
-  // By impacts that gained and that lost kinetic energy, and contacts that gave and took, from
-  // surface to surface, J.
+  // Sums of the energy by impacts that gained and by those that lost kinetic energy, and by
+  // contacts that gave and took energy, from surface to surface, J.
   double energy_added = 0.0;
   double energy_lost = 0.0;
-  // Over the whole run and all stops, m: below zero by how deep a spring was compressed. Absent
-  // without stops.
+  // Over the whole run and all stops, m; negative by the largest depth at a spring. Absent without
+  // stops.
   std::optional<double> smallest_gap;
-  double penetration = 0.0;  // of rigid stops, m: rounding, if anything
+  double penetration = 0.0;  // of rigid stops, m: at most rounding
 };
 
 }  // namespace graze

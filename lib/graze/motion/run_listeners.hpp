@@ -1,4 +1,4 @@
-// Who hears of a run as it goes.
+// Callbacks of a run.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace graze {
 
-// Who wants to hear of the run as it goes; an empty function is never called and costs nothing.
+// Callbacks that a run calls as it goes; an empty function is never called and costs nothing.
 struct RunListeners {
   std::function<void(const Event&)> event;
   std::function<void(const Sample&)> sample;

@@ -9,16 +9,16 @@
 namespace graze {
 namespace {
 
-// The tail shrinks as its speeds do: at this part of those it began with, what is left of it is
-// less than a millionth.
+// The tail shrinks with its speeds: when they have fallen to this part of the initial ones, less
+// than a millionth of it is left.
 constexpr double kPartLeft = 1.0 / (1 << 20);
 
-// Impacts, contacts made and lost on a tail. A stop's own chatter is summed, so that one round over
-// the stops takes ln(kPartLeft)/ln(r) impacts: 62 at r = 0.8, and a hundred rounds bring the speeds
-// down to kPartLeft where each leaves 0.87 of them.
+// Most impacts, and contacts made and lost, on a tail. A stop's own chatter is summed, so that one
+// round over the stops takes ln(kPartLeft)/ln(r) impacts: 62 at r = 0.8, and a hundred rounds bring
+// the speeds down to kPartLeft where each leaves 0.87 of them.
 constexpr int kMostArrivals = 20000;
 
-// Where more of the speed is left after as many, no end is in sight.
+// When more of the speed than this is left after that many, no end is in sight.
 constexpr double kPartInSight = 0.5;
 
 // D: how the impulse of each acts on the approach speed at each.
@@ -26,8 +26,8 @@ PivotedLu<double> factors_of(const SharedChatter& chatter) {
   return PivotedLu<double>(chatter.rows.transpose() * chatter.directions);
 }
 
-// In orthonormal coordinates of the space that the impulses span, where rows and directions that
-// are parallel remain so.
+// The chatter in orthonormal coordinates of the space that the impulses span, in which parallel
+// rows and directions remain parallel.
 struct ContactsAlone {
   System system;
   State start;
@@ -70,7 +70,7 @@ double fastest_hit(const std::vector<ImpactShare<double>>& shares) {
   return fastest;
 }
 
-// Each stop's own chatter.
+// Sums each stop's own chatter.
 void close_each(Motion<double>& motion, const std::vector<ImpactShare<double>>& shares,
                 const ContactsAlone& alone) {
   for (const ImpactShare<double>& share : shares) {
@@ -110,7 +110,7 @@ std::optional<double> time_to_rest(const SharedChatter& chatter, double closure_
   }
   const double time = motion.instant().local, left = speed_left(motion, forces) / first;
   if (left > kPartInSight) return {};
-  // Times shrink with the speeds: in each stretch that leaves this part of the speed, by it.
+  // Times shrink in proportion to the speeds, so the rest is a geometric series.
   return left > kPartLeft ? time / (1.0 - left) : time;
 }
 

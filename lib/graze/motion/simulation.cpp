@@ -44,13 +44,13 @@ class Run {
   Simulation finish() {
     while (proceed()) {
     }
-    // A run that was stopped within an arc, while it handed out samples, ends where the arc began.
+    // A run that was stopped while an arc's samples were handed out ends where that arc began.
     const MotionState<double>& last = stopped_in_arc_ ? motion_.departure() : motion_.state();
     result_.end_time = stopped_in_arc_.value_or(time());
     result_.final = {last.q, last.qdot};
     for (int i = 0; i < stops(); ++i) {
       if (walk_.is_stuck(i)) result_.stuck.push_back(i);
-      // What is refused at an instant leaves the forces as they were before it.
+      // When the motion is refused at an instant, the forces are those before it.
       const bool known = !motion_.has_pending_events() || result_.outcome == RunOutcome::kRefused;
       result_.forces.push_back(known ? motion_.contact_force(i) : 0.0);
     }
@@ -61,7 +61,7 @@ class Run {
       result_.energy = state_.balance;
     }
     result_.amplitudes = meter_.result();
-    // An arc that was cut by the end of the run is flown again, whole, by one that goes on from it.
+    // An arc cut by the end of the run is flown again, as a whole, by a run that goes on from it.
     state_.tail = walk_.tail();
     result_.state = is_cut_ ? cut_arc_ : state_;
     result_.state.motion = is_cut_ ? motion_.departure() : motion_.state();
@@ -102,7 +102,7 @@ class Run {
         enter_contacts(walk_.stop());
         return true;
       case WalkStep::kTouch:
-        // A spring that is touched is compressed or left next: no impact is passed over.
+        // A touched spring is compressed or left next: no impact is missed.
         if (!stop(walk_.stop()).is_compliant()) ++state_.totals.undecided_touches;
         return true;
       case WalkStep::kFailure:
@@ -114,7 +114,7 @@ class Run {
   }
 
   bool depart() {
-    // What changes at one instant may be as many as the stops, and each asks all of them.
+    // One instant may have as many changes as stops, and each costs a loop over all stops.
     work_ += stops();
     if (walk_.is_at_once()) {
       if (options_.energy) before_ = motion_.qdot();
@@ -126,7 +126,7 @@ class Run {
       cut_arc_ = state_;
       cut_arc_.tail = walk_.tail();
     }
-    // Until the first contact the smallest gap is not known to be zero and has to be looked for.
+    // Until the first contact the smallest gap is not known to be zero and has to be searched for.
     untouched_ =
         state_.totals.impacts == 0 && !motion_.is_closed_anywhere() && !motion_.is_sprung();
     if (untouched_ && !options_.steps && !system_.turns())
@@ -151,7 +151,7 @@ class Run {
     if (untouched_ && arrival.lowest && std::isfinite(*arrival.lowest))
       note_gap(std::max(*arrival.lowest, 0.0), state_.totals);
     if (!options_.steps) result_.evaluations += arrival.evaluations;
-    // A motion that cannot be followed has no samples, be it found out now or by an earlier run.
+    // A motion that cannot be followed has no samples, whether this run or an earlier one finds out.
     if (arrival.kind == ArrivalKind::kRefused && arrival.flight == 0.0) return true;
     const double start_time = seconds_at(walk_.departure(), motion_.flow().period());
     if (!follow(start_time, arrival.flight)) {
@@ -275,7 +275,7 @@ class Run {
 
   void balance_entry(int i) {
     const Event event = arrival_at(EventKind::kContact, i, motion_.approach_speed(i));
-    // One that grips again below the surface, on its way out, is no new impact.
+    // A spring that grips again below the surface, on its way out, is no new impact.
     if (event.speed >= 0.0) ++state_.totals.impacts;
     if (event.speed >= 0.0) meter_.add_contact(i, event.time);
     SpringContact& contact = contact_at(i);
@@ -283,7 +283,7 @@ class Run {
     emit(event);
   }
 
-  // `below` the surface the spring keeps what it may yet give back, should it grip again.
+  // `below` the surface the spring keeps the energy that it may give back if it grips again.
   void enter_separation(int i, bool below) {
     SpringContact& contact = contact_at(i);
     Event event = event_at(EventKind::kSeparation, i);
@@ -297,7 +297,7 @@ class Run {
     emit(event);
   }
 
-  // From surface to surface.
+  // Counts the energy from surface to surface.
   void enter_contacts(int i) {
     if (!stop(i).is_compliant()) return;
     enter_energy(contact_at(i).change_before, false);
@@ -341,7 +341,7 @@ class Run {
       emit(chatter_event(i));
     }
     Event event = event_at(EventKind::kStick, i);
-    // It is held because its force is not negative; what falls below zero is rounding.
+    // The stop holds because its force is not negative; a value below zero is rounding.
     event.force = std::fmax(motion_.force(i), 0.0);
     emit(event);
   }

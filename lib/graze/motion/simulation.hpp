@@ -31,9 +31,10 @@ struct SimulationOptions {
   StopSignal stop;
 };
 
-// Summing the tail of a chatter from speed v on errs by about 100 (v/V)^2 of a forcing period at
-// r = 0.8, V the speed of the motion: v = V sqrt(tolerance/100). `tolerance`: that of the scene, a
-// part of a forcing period; else that of a scene which names none.
+// Speed v below which the tail of a chatter is summed by default: the summation has an error of
+// about 100 (v/V)^2 of a forcing period at r = 0.8, V the speed of the motion, so v = V
+// sqrt(tolerance/100). `tolerance`: that of the scene, a part of a forcing period; or the default
+// one.
 double default_closure_speed(const System& system, const State& start,
                              double tolerance = kDefaultTolerance);
 
@@ -46,7 +47,7 @@ enum class RunOutcome {
   kInterrupted
 };
 
-// Everything a run needs to go on as if it had never ended: where its last arc began.
+// Everything needed to continue a run as if it had never ended: the start of its last arc.
 struct RunState {
   MotionState<double> motion;
   bool started = false;  // something has happened since t = 0
@@ -71,8 +72,8 @@ struct RunState {
 struct Simulation {
   RunOutcome outcome = RunOutcome::kReachedEnd;
   std::string message;  // a sentence unless the end was reached
-  // Where a budget was spent on events that crowd together: which stops do what (event_crowd.hpp).
-  // Of this part alone of a run that was cut.
+  // When the budget was spent on events that crowd together: which stops have how many
+  // (event_crowd.hpp). Covers only this part of a run that was cut.
   std::string crowd;
   double end_time = 0.0;
   State final;
@@ -81,8 +82,8 @@ struct Simulation {
   RunTotals totals;
   std::optional<EnergyBalance> energy;
   std::optional<Amplitudes> amplitudes;  // where they were asked for
-  // Of gaps and contact forces in search of events, and of the equations of motion on springs; with
-  // `steps` of the equations of motion alone.
+  // Evaluations of gaps and contact forces in the search for events, and of the equations of motion
+  // on springs; with `steps` of the equations of motion alone.
   long long evaluations = 0;
   RunState state;  // to go on from
 };
@@ -91,8 +92,8 @@ struct Simulation {
 Simulation simulate(const System& system, const State& start, const SimulationOptions& options,
                     const RunListeners& listeners = {});
 
-// Goes on from the state that an earlier run of the same system left behind; the events that follow
-// are, bit for bit, those of a run that was never cut.
+// Continues from the state that an earlier run of the same system left; later events are, bit for
+// bit, those of a run that was never cut.
 Simulation resume(const System& system, const RunState& from, const SimulationOptions& options,
                   const RunListeners& listeners = {});
 

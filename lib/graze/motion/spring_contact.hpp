@@ -1,4 +1,4 @@
-// What is remembered of the contacts at compliant stops while they last.
+// State of the contacts at compliant stops while they last.
 #pragma once
 
 #include <vector>
@@ -13,18 +13,18 @@ struct SpringContact {
   double peak_force = 0.0;          // N, so far
   double lost = 0.0;                // to the damping of the stop, J, so far
   double held = 0.0;                // by the spring when it began, J
-  // Of the structure's energy, by the contacts since the surface that parted below it, J.
+  // Change of the structure's energy by the contacts since the surface that parted below it, J.
   double change_before = 0.0;
-  // Of the structure's energy by this one, when the spring holds `stored`, J. Where nothing damps
-  // it is zero from surface to surface, without rounding.
+  // Change of the structure's energy by this contact, when the spring holds `stored`, J. For an
+  // undamped spring it is exactly zero from surface to surface.
   double change(double stored) const { return held - stored - lost; }
 };
 
-// Per stop.
+// One for each stop.
 using SpringContacts = std::vector<SpringContact>;
 
-// Along the arc that the phase has flown, s. Returns by how much the deepest spring was compressed
-// meanwhile, m; 0 where none was.
+// Follows the contacts along the last arc of the phase, s. Returns the largest depth of a spring
+// meanwhile, m; 0 where none was compressed.
 double follow(SpringContacts& contacts, const ContactPhase<double>& phase, double flight);
 
 }  // namespace graze

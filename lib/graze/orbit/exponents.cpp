@@ -16,7 +16,7 @@
 namespace graze {
 namespace {
 
-// Exponents may be read off the same motion again and again: each period is a factor.
+// The motion as a sequence of forcing periods, each a factor of the exponents' product.
 class StroboscopicMotion {
  public:
   StroboscopicMotion(const System& system, const State& start, const ExponentOptions& options)
@@ -28,8 +28,8 @@ class StroboscopicMotion {
     segment_options_.stop = options.stop;
   }
 
-  // What becomes of directions (2N x k) within the next forcing period; nothing where it cannot be
-  // told, as failure() says.
+  // Images of directions (2N x k) after the next forcing period; nullopt when they cannot be
+  // computed; failure() then gives the reason.
   std::optional<Matrix> carry(const Matrix& directions) {
     const Eigen::Index n = system_.modes();
     const Matrix moved = unit_.asDiagonal() * directions;
@@ -59,14 +59,14 @@ class StroboscopicMotion {
     return image;
   }
 
-  // Of the period carried last.
+  // Impacts of the last period.
   long long impacts() const { return impacts_; }
-  // Of the factor, at most: what is held has b.dq = b.dq' = 0, and an impact with r = 0 one of
-  // them.
+  // Upper bound on the rank of the factor: a held stop has b.dq = b.dq' = 0, and after an impact
+  // with r = 0 one of them is zero.
   Eigen::Index rank() const { return rank_; }
   const std::string& failure() const { return failure_; }
   State state() const { return {motion_.q(), motion_.qdot()}; }
-  // By the units of displacement and velocity.
+  // The state divided by the units of displacement and velocity.
   Vector scaled_state() const {
     Vector state(unit_.size());
     state << motion_.q(), motion_.qdot();
@@ -117,7 +117,7 @@ Exponents of_multipliers(const System& system, StroboscopicMotion& motion, int t
   result.errors = Vector::Zero(size);
   if (result.periods == turns) {
     const std::vector<Eigenvalue> multipliers = product_eigenvalues(factors);
-    // What the orbit loses in passing twice it loses for good.
+    // Directions that the orbit loses in passing twice are lost for good.
     GrowingDirections directions(size);
     for (std::size_t i = 0; i < 2 * factors.size(); ++i)
       directions.carry(factors[i % factors.size()] * directions.now(), ranks[i % factors.size()]);
@@ -125,7 +125,7 @@ Exponents of_multipliers(const System& system, StroboscopicMotion& motion, int t
     for (Eigen::Index j = 0; j < static_cast<Eigen::Index>(multipliers.size()); ++j) {
       const Eigenvalue& multiplier = multipliers[static_cast<std::size_t>(j)];
       const double size_of = std::abs(multiplier.value);
-      // What is zero to its rounding is lost too.
+      // A multiplier that is zero to its rounding is lost, too.
       result.values[j] = std::log(j < kept && size_of > multiplier.error ? size_of : 0.0) /
                          (static_cast<double>(turns) * system.period());
     }
@@ -135,8 +135,8 @@ Exponents of_multipliers(const System& system, StroboscopicMotion& motion, int t
 }
 
 // Whether states at the starts of periods come nearer to repeating. A motion that approaches an
-// orbit slowly, as next to a doubling, has exponents as small as a torus has; but what parts it
-// from itself up to 32 periods before shrinks, and does not on a torus.
+// orbit slowly, as next to a period doubling, has exponents as small as on a torus; but its
+// distance from the state up to 32 periods before shrinks, and does not on a torus.
 class Returns {
  public:
   explicit Returns(long long periods) : half_(periods / 2) {}
@@ -158,15 +158,15 @@ class Returns {
  private:
   static constexpr std::size_t kTurns = 32;
   // The largest distances on either half of fifty returns to a torus agree to some thousandths; at
-  // a doubling, where the approach is slowest, with the time to the power -3/2, they shrink by
-  // more.
+  // a period doubling, where the approach is slowest, with the time to the power -3/2, they shrink
+  // by more.
   static constexpr double kAlike = 0.95;
   long long half_, count_ = 0;
   std::deque<Vector> before_;                         // the latest first
   std::array<std::array<double, kTurns>, 2> most_{};  // of either half
 };
 
-// Over the growth of the leading direction, period by period, as its logarithm.
+// The growth of the leading direction, period by period, as its logarithm.
 class GrowthWatch {
  public:
   void add(double growth) {
@@ -209,7 +209,7 @@ Exponents of_average(const System& system, StroboscopicMotion& motion,
   if (result.periods > 0) {
     result.values = mean.mean();
     result.errors = mean.standard_error();
-    // Lost once is lost, also where that was before the average began to count.
+    // A direction once lost stays lost, also when that was before the average began.
     result.values.tail(directions.lost()).setConstant(-std::numeric_limits<double>::infinity());
     sort(result);
     if (result.periods == options.periods)

@@ -1,4 +1,4 @@
-// How large the motion of an orbit is: what response curves show of it.
+// How large the motion of an orbit is, as response curves show it.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace graze {
 
-// Over its period, at these rows and at every stop.
+// Amplitudes over the orbit's period, at these rows and at every stop.
 Amplitudes orbit_amplitudes(const System& system, const Orbit& orbit,
                             const std::vector<MeasuredRow>& rows);
 

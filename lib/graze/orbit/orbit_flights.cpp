@@ -52,7 +52,7 @@ std::vector<bool> fly_orbit(const System& system, const Orbit& orbit,
                             const OrbitListeners& listeners) {
   FreePhase<double> phase(system, {});
   if (!orbit.meets_stops() && orbit.section) {
-    // The free motion alone, as it is known: a stop that it touches does nothing to it.
+    // The free motion alone, in closed form: a stop that it touches does not change it.
     const OrbitSection& section = *orbit.section;
     const MotionState<double>& start = section.states.front();
     phase.start(section.at.phase, start.q, start.qdot, 0.0);

@@ -38,7 +38,7 @@ void check_points(const ValueChecker& checker, const Beam& beam) {
   }
 }
 
-// All other lists have as many entries.
+// All other lists have this many entries.
 void check_mode_count(const Scene& scene) {
   if (scene.modal() == nullptr) return;
   const std::size_t size = scene.modal()->frequencies.size();
@@ -48,8 +48,8 @@ void check_mode_count(const Scene& scene) {
         fmt::format("the list has {} entries, it must have 1 to {}", size, kMostModes));
 }
 
-// The mass, and the stiffness over it, have a size. Of a string, a bar and a beam whose pieces have
-// sections of their own those of the whole stand for all.
+// The mass, and the stiffness over it, must be usable numbers. For a string, a bar and a beam whose
+// pieces have sections of their own, those of the whole are checked.
 void check_size(const ValueChecker& checker, const Beam& beam) {
   const bool sectioned = beam.section.has_value();
   if (!sectioned && !(beam.second_moment && beam.area)) return;
@@ -102,7 +102,7 @@ void check_damping(const Scene& scene) {
   }
 }
 
-// What a matrix structure lacks for it.
+// The error for a matrix structure without the direction that `what` needs.
 InputError missing_direction(const Scene& scene, const char* what) {
   return scene_error(scene, "matrices.direction",
                      fmt::format("{} needs the direction of its acceleration, it must be one that "
@@ -163,7 +163,7 @@ void check_gravity(const Scene& scene) {
   }
 }
 
-// A point with 15 digits where these stand for it (0.225 and not 0.22499999999999998).
+// A point with 15 digits where these suffice (0.225 and not 0.22499999999999998).
 std::string point_text(double point, double length) {
   const std::string text = fmt::format("{:.15g}", point);
   const bool same = std::abs(std::strtod(text.c_str(), nullptr) - point) <=

@@ -5,7 +5,7 @@
 namespace graze {
 namespace {
 
-// Nothing but what its ends hold.
+// Whether the span is held at its ends only and carries no masses.
 bool is_bare(const Span& span) { return span.supports.empty() && span.masses.empty(); }
 
 }  // namespace

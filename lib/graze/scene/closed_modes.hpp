@@ -5,7 +5,7 @@
 
 namespace graze {
 
-// What has no closed form is found by elements, whose time goes with the third power.
+// Other structures are solved by elements, whose time grows with the third power of the modes.
 inline constexpr int kMostElementModes = 600;
 
 // Whether the modes have a closed form: of a uniform clamped-free beam without tension, and of a

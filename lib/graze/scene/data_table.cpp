@@ -30,7 +30,7 @@ std::optional<double> plain_number(const std::string& text) {
   return value;
 }
 
-// Without blanks and signs of a product: "N m", "N*m" and "Nm" are one.
+// The unit without blanks and multiplication signs: "N m", "N*m" and "Nm" are the same.
 std::string plain_unit(const std::string& text) {
   if (text == "1") return "";
   std::string plain;
@@ -52,7 +52,7 @@ std::optional<int> power_of_ten(const std::string& written, const std::string& u
   return {};
 }
 
-// What a message shows of a cell, which may be anything.
+// A cell as a message shows it; it may hold any text.
 std::string shown(const std::string& text) {
   constexpr std::size_t kMost = 40;
   std::string plain;

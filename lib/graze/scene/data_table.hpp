@@ -1,7 +1,7 @@
 // A table of numbers as text (measurements, a torque over time): columns under a row of names, each
-// cell with its place, so that a message can point at it. Its first row tells what parts columns: a
-// semicolon where it has one, else a comma, else a tab. Beside semicolons and tabs numbers may have
-// a comma in place of the point.
+// cell with its place, so that a message can point at it. The first row decides what separates
+// columns: a semicolon where it has one, else a comma, else a tab. With semicolons and tabs numbers
+// may have a decimal comma.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ class DataTable {
   std::size_t rows() const { return rows_.size(); }
   // The column's name without its unit: "time" of "time (s)".
   const std::string& column_name(std::size_t column) const { return names_[column].text; }
-  // What stood in brackets after it; nothing where there were none.
+  // The text in brackets after the name; nullopt when there are none.
   const std::optional<std::string>& column_unit(std::size_t column) const { return units_[column]; }
   std::optional<std::size_t> find(const std::string& column) const;
 
@@ -39,9 +39,10 @@ class DataTable {
   }
   // The cell as a finite number; throws InputError where it is none.
   double number(std::size_t row, std::size_t column) const;
-  // The same in `unit`, where the column's name tells a multiple of it: of "t (ms)" in "s".
+  // The same in `unit`, where the column's name gives a decimal multiple of it: "t (ms)" read in
+  // "s".
   double number(std::size_t row, std::size_t column, const std::string& unit) const;
-  // Throws InputError where the column's name tells a unit that is no decimal multiple of `unit`.
+  // Throws InputError where the column's name gives a unit that is no decimal multiple of `unit`.
   void check_unit(std::size_t column, const std::string& unit) const;
   SourceLocation place(std::size_t row, std::size_t column) const {
     return {name_, rows_[row].line, rows_[row].cells[column].column};
@@ -69,7 +70,7 @@ class DataTable {
   std::optional<double> number_in(std::string text) const;
 
   std::string name_;
-  char parting_ = '\0';     // what parts columns, once the first row has told
+  char parting_ = '\0';     // what separates columns, once the first row is read
   bool has_point_ = false;  // in some cell
   int header_line_ = 0;     // which says how many columns there are: the row of names, or the first
   bool named_ = true;

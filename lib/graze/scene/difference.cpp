@@ -25,7 +25,7 @@ std::vector<std::string> lines_of(const Scene& scene) {
   return lines;
 }
 
-// Leaves what an orbit depends on.
+// Keeps only what an orbit depends on.
 void strip(Scene& scene) {
   scene.title.clear();
   scene.initial.reset();
@@ -45,7 +45,7 @@ std::string scene_difference(Scene there, Scene here, const std::vector<std::str
     if (!value || !own) return fmt::format("one of them has no {}", name);
     *own = *value;
   }
-  // No orbit depends on it, though it may be the parameter.
+  // No orbit depends on the thickness, though it may be the parameter.
   for (Scene* scene : {&there, &here})
     if (Beam* beam = std::get_if<Beam>(&scene->structure)) beam->thickness.reset();
   const std::vector<std::string> before = lines_of(there), now = lines_of(here);

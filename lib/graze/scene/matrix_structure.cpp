@@ -16,7 +16,8 @@ namespace {
 
 constexpr const char* kForm = "node.direction, or a number like \"7\"";
 
-// Of the files that a structure names, in one order; "#NAME" of a Nastran file names no other file.
+// The checksum of the files that a structure names, in one order; "#NAME" in a Nastran file name
+// refers to a part of that file.
 std::string files_checksum(const MatrixStructure& matrices) {
   std::string text;
   for (const std::string& name :
@@ -76,7 +77,7 @@ std::vector<DofLabel> constraints_of(const Scene& scene, const MatrixStructure& 
   return held;
 }
 
-// CalculiX writes no row of what it holds, nor its mass.
+// A hint for messages: CalculiX writes no row of a held degree of freedom, nor its mass.
 const char* left_out(const Scene& scene) {
   return scene.matrices()->dofs.empty() ? ""
                                         : "; CalculiX leaves out what *BOUNDARY holds: written "
@@ -201,7 +202,7 @@ std::optional<Vector> MatrixModes::row(const std::string& text) const {
 std::array<double, 3> MatrixModes::displacement(long node, Eigen::Index mode) const {
   std::array<double, 3> moved{};
   for (int direction = 1; direction <= 3; ++direction) {
-    // Of several rows, the layers of a shell, the mean.
+    // The mean where there are several rows, as for the layers of a shell.
     int count = 0;
     double sum = 0.0;
     for (auto place = rows.lower_bound({node, direction});

@@ -1,5 +1,4 @@
-// What the files of a [matrices] structure make of it: its lowest modes, found once for a scene and
-// shared by its copies.
+// The modes of a structure given by matrices: found once for a scene and shared by its copies.
 #pragma once
 
 #include <array>
@@ -19,13 +18,13 @@ struct MatrixModes {
   StructuralModes modes;
   std::optional<ModalDamping> damping{};  // of a damping file
   std::map<DofLabel, Eigen::Index> rows;  // of the shapes; -1 of what is held at zero
-  // Of a unit acceleration in direction 1, 2, 3 (0 where degrees of freedom have none): the modal
-  // forces Phi^T M r, kg^1/2, whose squares are effective masses, and the whole mass r^T M r.
+  // Under a unit acceleration in direction 1, 2, 3 (0 where degrees of freedom have none): the
+  // modal forces Phi^T M r, kg^1/2, whose squares are effective masses, and the whole mass r^T M r.
   std::map<int, Vector> inertia;
   std::map<int, double> total_masses;
-  // Static displacements of the stops, of a free structure those of the elastic motion alone: m/N
-  // under 1 N at each stop, stops by stops; s^2 under a unit acceleration in the direction of the
-  // scene, empty where the structure has none.
+  // Static displacements of the stops, without the rigid motion where the structure is free: m/N
+  // under 1 N at each stop, stops by stops; and s^2 under a unit acceleration in the scene's
+  // direction, empty where the structure has none.
   Matrix flexibility;
   Vector under_gravity;
   // Directions in which the stiffness holds the structure, but so weakly that it may be a free one
@@ -37,21 +36,21 @@ struct MatrixModes {
   std::vector<std::pair<long, long>> couplings;
 
   int free_count() const { return static_cast<int>(modes.shapes.rows()); }
-  // Of a node in a mode, along x, y, z; zero where it has no such degree of freedom.
+  // Displacement of a node in a mode along x, y, z; zero where it has no such degree of freedom.
   std::array<double, 3> displacement(long node, Eigen::Index mode) const;
-  // Displacements of a degree of freedom, m by modes; zeros of one that is held. Nothing where the
-  // structure has none of that name.
+  // Displacements of a degree of freedom, m by modes; zeros if it is held. Returns nullopt when the
+  // structure has no such degree of freedom.
   std::optional<Vector> row(const std::string& label) const;
 };
 
-// What a damping matrix is to the modes; null of a scene without one.
+// The damping matrix in the modes; null for a scene without one.
 const ModalDamping* damping_of_matrices(const Scene& scene);
 
-// Reads the files of a scene's matrices, finds the modes, and fills in what follows of them: the
-// modal structure and the shapes at stops and probes. The reader calls it; a scene made in code
-// needs it before it is checked or assembled, and again when its files, modes, constraints, load,
-// stops or probes have changed. Throws FileError where a file cannot be read, InputError where it
-// cannot be used or where a degree of freedom does not exist.
+// Reads the files of a scene's matrices, computes the modes, and fills in the modal structure and
+// the shapes at stops and probes. The reader calls it; a scene made in code needs it before it is
+// checked or assembled, and again when its files, modes, constraints, load, stops or probes have
+// changed. Throws FileError where a file cannot be read, InputError where it cannot be used or
+// where a degree of freedom does not exist.
 void solve_matrices(Scene& scene);
 
 }  // namespace graze

@@ -42,7 +42,7 @@ std::string restitution_unit(const std::string& entry) {
   return power == 1 ? "s/m" : fmt::format("s^{0}/m^{0}", power);
 }
 
-// Of the stiffness or, where there is damping, its coefficient.
+// The unit of the stiffness or, where there is damping, of its coefficient.
 std::string spring_unit(const Spring& spring, bool of_stiffness) {
   const double exponent = spring.geometry ? 1.5 : spring.is_residual ? 1.0 : spring.exponent;
   double power = exponent;
@@ -64,7 +64,7 @@ InputError unknown_parameter(const Scene& scene, const std::string& path) {
                                 joined(shortened(names), "and")));
 }
 
-// Of a path that names the forcing frequency: whether in Hz. Nothing of any other.
+// Whether a path names the forcing frequency in Hz; nullopt when it names another number.
 std::optional<bool> written_in_hertz(const Scene& scene, const std::string& path) {
   const bool in_hertz = path == "forcing.frequency_hz";
   if (!scene.forcing || (!in_hertz && path != "forcing.frequency")) return {};
@@ -145,7 +145,7 @@ bool leaves_structure(const std::string& path) {
 namespace {
 
 std::string si_unit(const Scene& scene, const std::string& path) {
-  // Of some keys it depends on others.
+  // The unit of some keys depends on other keys.
   const std::string name = without_number(path);
   if (name.starts_with("stop.restitution"))
     return restitution_unit(name.substr(std::min(name.size(), sizeof "stop.restitution")));

@@ -13,13 +13,13 @@
 
 namespace graze {
 
-// The number that `path` names, or null when the scene has no such continuous parameter. Whoever
-// asks for the forcing frequency in Hz ("forcing.frequency_hz") or in rad/s ("forcing.frequency")
-// has it written that way from then on; a const scene has it only the way in which it is written.
+// The number that `path` names, or null when the scene has no such continuous parameter. Asking for
+// the forcing frequency in Hz ("forcing.frequency_hz") or in rad/s ("forcing.frequency") makes the
+// scene store it in that unit; a const scene has it only in the unit in which it is stored.
 double* find_parameter(Scene& scene, const std::string& path);
 const double* find_parameter(const Scene& scene, const std::string& path);
 
-// Its value, in the unit of `path`; nothing when the scene has no such continuous parameter.
+// Its value, in the unit of `path`; nullopt when the scene has no such continuous parameter.
 std::optional<double> parameter_value(const Scene& scene, const std::string& path);
 
 // All continuous parameters that this scene has, for messages and suggestions.

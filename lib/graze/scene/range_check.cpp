@@ -69,7 +69,7 @@ class RangeChecker : public SchemaVisitor {
   }
 
  private:
-  // Refuses what is there though it does not apply.
+  // Whether to check the key; refuses one that is there though it does not apply.
   bool is_meant(const Key& key, bool is_there) const {
     if (!key.applies && key.refusal && is_there && !key.may_stand)
       checker_.fail(key.name, key.refusal);

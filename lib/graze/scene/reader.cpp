@@ -30,7 +30,7 @@ std::string list_words(const Key& key) {
   return fmt::format("a list of numbers{}, one per mode", unit.empty() ? "" : " in " + unit);
 }
 
-// What all tables of one scene have in common.
+// Data shared by all tables of one scene.
 struct Reading {
   Scene& scene;
   Origins& origins;
@@ -56,7 +56,7 @@ class KeyReader : public SchemaVisitor {
     if (is_due(key, is_optional || !key.is_required))
       value = table_.number(key.name, number_words(key));
   }
-  // Whether the word stands decides about other keys.
+  // Whether the key holds the word decides which other keys apply.
   void number_or(const Key& key, double& value, bool& is_word, const char* word) {
     const Node* node = table_.find(key.name);
     if (pass_ == Pass::kChoices) {
@@ -177,7 +177,7 @@ class KeyReader : public SchemaVisitor {
       if (pass_ == Pass::kChoices) value.emplace();
     if (value) read_table(reading_, *node, table_.path(key.name), *value, pass_);
   }
-  // How many there are is known before what they hold.
+  // The tables are made before their keys are read.
   template <class Table>
   void tables(const TableKey& key, std::vector<Table>& values) {
     const Node* node = table_.find(key.name);
@@ -202,7 +202,7 @@ class KeyReader : public SchemaVisitor {
   Pass pass_;
 };
 
-// What a table is made ready with before its keys are read.
+// Prepares a table before its keys are read.
 void prepare(const auto&, const Node&, auto&, const Scene&) {}
 
 // The keys say which damping it is.

@@ -23,19 +23,19 @@ namespace graze {
 enum class Side { kAbove, kBelow };
 enum class Impulse { kMomentum, kCollocation };
 enum class ForcingKind { kBase, kDistributed, kModal };
-// How the motion between impacts is found: exactly, or integrated step by step by rk4, dopri5,
+// How the motion between impacts is computed: exactly, or integrated step by step by rk4, dopri5,
 // fehlberg78, or (with a hub) bulirsch-stoer.
 enum class FlowChoice { kAuto, kExact, kRk4, kDopri5, kFehlberg78, kBulirschStoer };
-// As the scene writes it.
+// The name in a scene file.
 std::string flow_name(FlowChoice flow);
 
-// Motor torque from t = 0 on: constant for a while,
+// Motor torque from t = 0 on: either constant for a while,
 struct TorquePulse {
   double amplitude = 0.0;  // N m
   double duration = 0.0;   // s, > 0
 };
-// or through measured points, straight between them and zero outside; at an instant that stands
-// twice it jumps.
+// or through measured points, linear between them and zero outside; it jumps at an instant that is
+// given twice.
 struct TorqueTable {
   std::vector<double> times;   // s, >= 0, ascending, at least two
   std::vector<double> values;  // N m, as many
@@ -75,13 +75,13 @@ struct Frequency {
   bool in_hertz = false;  // what is written: Hz, else rad/s
 
   operator double() const { return in_hertz ? kTurn * written : written; }
-  // Of a number in rad/s, and written so.
+  // Takes a number in rad/s.
   Frequency& operator=(double angular) {
     written = angular;
     in_hertz = false;
     return *this;
   }
-  // The same frequency, written in that way.
+  // Stores the same frequency in Hz, or in rad/s.
   void write_in_hertz(bool hertz) {
     if (hertz != in_hertz) written = hertz ? written / kTurn : kTurn * written;
     in_hertz = hertz;
@@ -96,8 +96,8 @@ struct Forcing {
   double phase = 0.0;      // rad
 };
 
-// Uniform acceleration along +u of every mass element; a constant load of the modes. With a hub
-// along -u at angle 0, and there it stays while the beam turns.
+// Uniform acceleration along +u of every mass element; a constant load of the modes. With a hub it
+// acts along -u at angle 0, and keeps that direction in space while the beam rotates.
 struct Gravity {
   double acceleration = 0.0;  // m/s^2
 };
@@ -110,7 +110,7 @@ enum class ContactModel {
   kLankaraniNikravesh,
   kFlores
 };
-// As the scene writes it.
+// The name in a scene file.
 std::string contact_model_name(ContactModel model);
 
 // The damping of a compliant stop (contact/detail/restitution_damping.hpp): its coefficient, or
@@ -128,7 +128,8 @@ struct SpringDamping {
   bool exact = false;  // C gives the restitution itself, not what the model's formula makes of it
 };
 
-// Of two bodies of which one is the stop, in place of a stiffness (contact/hertz_stiffness.hpp).
+// The geometry of the structure and the stop, in place of a stiffness
+// (contact/hertz_stiffness.hpp).
 struct SpringGeometry {
   std::array<ElasticBody, 2> bodies{};
   double angle = 0.0;  // rad
@@ -162,17 +163,17 @@ struct SceneStop {
 };
 
 // kDisplacement, kVelocity: of the point, with a hub along the arc from angle 0 on; kDeflection:
-// from the line that turns with the hub, without one the displacement; kStrain: of the fibre at
-// half the thickness, -h/2 u'' (beam), or of the bar, u'; kAngle, kRate: of the hub, wherever the
-// probe is.
+// from the line that rotates with the hub, without a hub the displacement; kStrain: of the fibre at
+// half the thickness, -h/2 u'' (beam), or u' (bar); kAngle, kRate: of the hub, wherever the probe
+// is.
 enum class ProbeQuantity { kDisplacement, kVelocity, kDeflection, kStrain, kAngle, kRate };
-// As the scene writes it.
+// The name in a scene file.
 std::string probe_quantity_name(ProbeQuantity quantity);
 inline bool is_of_hub(ProbeQuantity quantity) {
   return quantity == ProbeQuantity::kAngle || quantity == ProbeQuantity::kRate;
 }
 
-// A quantity at a place, told in the series of a motion.
+// A quantity at a place, recorded in the time series of a motion.
 struct Probe {
   double position = 0.0;          // m from the left end (beam, string, bar), 0..length
   std::vector<double> shape;      // phi_j at the place (modal structure), kg^-1/2
@@ -215,7 +216,7 @@ struct Scene {
   const TautString* string() const { return std::get_if<TautString>(&structure); }
   const Bar* bar() const { return std::get_if<Bar>(&structure); }
   const MatrixStructure* matrices() const { return std::get_if<MatrixStructure>(&structure); }
-  // Given as such, or found from matrices.
+  // The modes, given as such or computed from matrices.
   const ModalStructure* modal() const {
     if (const MatrixStructure* given = matrices()) return &given->modal;
     return std::get_if<ModalStructure>(&structure);

@@ -89,7 +89,7 @@ Setting taken_apart(const std::string& text) {
 constexpr std::string_view kAllowedValues =
     "a number without a unit, a list in [ ], a string in quotes or one bare word";
 
-// A setting is short and is shown as a whole: lines and columns in it would tell nothing.
+// A setting is short and is shown as a whole: its lines and columns would not help.
 void place_in_setting(Node& node, const Place& place) {
   node.place = place;
   if (auto* list = node.as<NodeList>()) {
@@ -146,7 +146,7 @@ Node& entry_of(NodeList& list, const std::string& part, const std::string& path,
   return list[index - 1];
 }
 
-// Of two ways to write one number, the setting's takes the place of the scene's.
+// Where a number can be written in two ways, the setting's replaces the scene's.
 void remove_other_way(NodeTable& table, const std::string& path, const std::string& key) {
   if (path != "forcing" || (key != "frequency" && key != "frequency_hz")) return;
   const std::string other = key == "frequency" ? "frequency_hz" : "frequency";

@@ -12,8 +12,8 @@ namespace graze {
 
 enum class Projection { kGalerkin, kCollocation };
 
-// A length of a section: one number, or two, of which the first holds at the left end and the
-// second at the right one; between them it changes evenly.
+// A length of a section: one number, or two, at the left and at the right end, with a linear change
+// between them.
 using Taper = std::vector<double>;  // m, > 0
 
 enum class SectionShape { kRectangle, kCircle, kTube };
@@ -25,8 +25,8 @@ struct Section {
   Taper diameter, inner_diameter;  // circle and tube; tube
 };
 
-// Part of a beam or of a bar, from the end of the one before. What it does not give is that of the
-// whole; the section of the whole runs over the whole length.
+// Part of a beam or of a bar, from the end of the previous one. Values that it does not give are
+// those of the whole; a section of the whole extends over the whole length.
 struct Piece {
   std::optional<double>
       to;  // m from the left end; not of the last, which ends where the whole does
@@ -51,7 +51,7 @@ struct AttachedMass {
   double inertia = 0.0;            // kg m^2, >= 0, about the place; of a beam
 };
 
-// What has places x from 0 to its length.
+// A structure along a line, with places x from 0 to its length.
 struct Span {
   double length = 0.0;  // m
   int modes = 0;        // 1..2000
@@ -70,7 +70,7 @@ struct Beam : Span {
   std::optional<double> tension{};  // N, negative: compression
   Projection discretisation = Projection::kGalerkin;
   std::vector<double> points{};  // m from the clamp, one per mode, in (0, length]; empty: i L/N
-  // h, m: where no section tells it; strains are told at h/2 from the middle.
+  // h, m, where no section gives it; strains are those at h/2 from the neutral axis.
   std::optional<double> thickness{};
 };
 

@@ -107,7 +107,7 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-// What a damping may be built from, and what it holds.
+// The numbers that a damping model may be built from, and those that it holds.
 struct Ingredients {
   std::vector<Keys> ways;
   bool linear_only = false;  // the ways other than the coefficient
@@ -178,7 +178,7 @@ void check_damping(const ValueChecker& checker, const Scene& scene, const Spring
                  "\"exact\" needs a restitution to be met, of any model but \"lee-wang-2\"");
 }
 
-// What the modes left out give way follows from the whole structure.
+// The flexibility of the modes left out follows from the whole structure.
 void check_residual(const ValueChecker& checker, const Scene& scene) {
   if (scene.hub)
     checker.fail("stiffness",

@@ -10,7 +10,7 @@ constexpr const char* kLists[] = {"stop",           "probe",       "beam.piece",
                                   "beam.mass",      "string.mass", "bar.piece",  "bar.support",
                                   "string.support", "bar.mass"};
 
-// The path without the number of its table, where `leave` says so of the number.
+// The path without the number of its table, where `leave` returns true for that number.
 std::string shortened(const std::string& path, auto&& leave) {
   for (const std::string list : kLists) {
     if (path.compare(0, list.size() + 1, list + ".") != 0) continue;

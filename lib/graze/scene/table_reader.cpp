@@ -81,7 +81,7 @@ void TableReader::check_keys() const {
     }
     // The right key in the wrong table, as when a header is missing, or else a slip.
     std::vector<std::string> meant = keys_named(member.key);
-    // Not one of a table within another table: the mass of a stop is no damping.
+    // A key within another table is not suggested: the mass of a stop is no damping.
     meant.erase(
         std::remove_if(
             meant.begin(), meant.end(),
@@ -92,7 +92,8 @@ void TableReader::check_keys() const {
               }
               if (!path_.empty() && is_list_of_tables(name) && dot != std::string::npos)
                 return true;
-              // What a string has, a beam has first.
+              // A key of strings or bars is suggested as the beam's, unless this table is of a
+              // string or bar.
               for (const std::string other : {"string", "bar"})
                 if (name.starts_with(other + ".") && !path_.starts_with(other)) return true;
               return !path_.empty() && dot != std::string::npos && name.find('.') != dot &&

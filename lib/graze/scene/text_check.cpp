@@ -13,7 +13,7 @@ namespace {
 // The deepest key of a scene is damping.rayleigh.mass inside one pair of braces.
 constexpr std::size_t kDeepest = 32;
 
-// Walks through a text and knows line and column (in characters, from 1).
+// Walks through a text and counts line and column (in characters, from 1).
 struct Cursor {
   const std::string& text;
   const std::string& name;

@@ -15,7 +15,7 @@
 namespace graze {
 std::string read_text_file(const std::filesystem::path& file, const std::string& kind) {
   const std::string name = file.string();
-  std::error_code no_matter;  // what cannot be looked at cannot be opened either
+  std::error_code no_matter;  // ignored: a file that cannot be inspected cannot be opened either
   if (std::filesystem::is_directory(file, no_matter))
     throw FileError(fmt::format("{}: cannot be read as {}, it is a directory", name, kind));
   if (is_named_pipe(file))

@@ -14,7 +14,7 @@ std::string list_text(const std::vector<double>& values) {
   return "[" + entries + "]";
 }
 
-// Adds what a table holds to a text: lines "key = value" or, in line, one after the other.
+// Appends the contents of a table to a text: lines "key = value" or, inline, one after the other.
 class Writer : public SchemaVisitor {
  public:
   Writer(const Scene& scene, std::string& text, std::string path, Form form)
@@ -105,8 +105,8 @@ class Writer : public SchemaVisitor {
 
 }  // namespace
 
-// The numerics that apply are no part of the structure, but another default would change results:
-// they are written as well.
+// The numerics are no part of the structure, but another default would change results: they are
+// written as well.
 std::string write_scene(const Scene& scene) {
   std::string text;
   Writer writer(scene, text, "", Form::kHeader);

@@ -10,7 +10,7 @@
 namespace graze {
 namespace {
 
-// What the shape of one mode is made of:
+// The terms of the shape of one mode:
 //   shape = rise e^{b (xi - 1)} + fall e^{-b xi} - cos(b xi) + ratio sin(b xi)
 struct ModeShape {
   double wave_number;

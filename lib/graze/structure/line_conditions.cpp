@@ -44,7 +44,7 @@ LineConditions::LineConditions(const Line& line, const LineMesh& mesh, const Mat
   Index spring = strains;
   for (Index i = 0; i < count; ++i) {
     const LineCondition& condition = all[static_cast<std::size_t>(i)];
-    // Slopes are told by what they make of the length.
+    // Slopes are multiplied by the length, to be comparable with values.
     const double scale = condition.on_slope ? length : 1.0;
     const Matrix& rows = condition.on_slope ? slopes : values;
     const auto node = static_cast<Index>(condition.node);
@@ -67,7 +67,7 @@ LineConditions::LineConditions(const Line& line, const LineMesh& mesh, const Mat
   reflect(transposed_product<double>(elastic, basis.rightCols(count - rank)));
 }
 
-// Counted, not measured: a place held leaves the turning about it, two places leave nothing.
+// Decided by counting, not by rank: one held place leaves the rotation about it, two leave nothing.
 void LineConditions::choose_rigid(const Line& line, const std::vector<LineCondition>& all) {
   std::vector<std::size_t> held;  // nodes
   bool holds_slope = false;
@@ -96,8 +96,7 @@ void LineConditions::choose_rigid(const Line& line, const std::vector<LineCondit
   if (rank == 1 && !holds_slope) free_ = turn, held_ = shift;
 }
 
-// Reflections that make the normals upper triangular, so that their null space is what is left of
-// the unknowns.
+// Reflections that make the normals upper triangular; the remaining unknowns are their null space.
 void LineConditions::reflect(Matrix normals) {
   const Index count = normals.cols();
   reflectors_ = Matrix::Zero(unknowns_, count);

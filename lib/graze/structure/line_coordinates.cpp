@@ -39,7 +39,7 @@ LineCoordinates::LineCoordinates(const Line& line, const Fineness& fineness)
   if (tension_) tension_->matrixU().solveInPlace<Eigen::OnTheRight>(moving_);
 }
 
-// Turns on which tension acts are no rigid motions.
+// Rotations on which tension acts are no rigid motions.
 void LineCoordinates::choose_rigid(const Line& line, const Matrix& kinetic) {
   rigid_ = conditions_.free();
   if (line.tension.value != 0.0) {

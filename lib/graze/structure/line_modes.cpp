@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Index;
 
-// Of one discretisation.
+// Solves one discretisation.
 LineSolution solve(const Line& line, const Fineness& fineness, int asked) {
   LineSolution solution;
   const LineCoordinates coordinates(line, fineness);
@@ -32,8 +32,8 @@ LineSolution solve(const Line& line, const Fineness& fineness, int asked) {
   return solution;
 }
 
-// What the left end is free to do is positive there: the first of value, slope and strain that is
-// not within rounding of 0; where all are, the largest value.
+// Makes the first of value, slope and strain at the left end positive that is not within rounding
+// of 0; where all are, the largest value.
 void orient(const Line& line, LineModes& modes) {
   const double length = line.length.value;
   const Matrix values =

@@ -57,7 +57,7 @@ class RatedModes {
   }
 
  private:
-  // What moving supports add, and the part of the rates that they ask for.
+  // The contribution of moving supports to `coupling`, and to the rates directly.
   void add_supports(Matrix& coupling) {
     const MovingSupports supports(line_, mesh_);
     if (!supports.any_moves()) return;

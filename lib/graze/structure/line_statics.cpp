@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Index;
 
-// Where elements meet anyway.
+// Whether elements meet at x without the loads.
 bool is_node(const Line& line, double x) {
   const auto meets = [&](const Rated& at) {
     return std::abs(at.value - x) <=
@@ -38,7 +38,7 @@ Line meeting_at(Line line, const std::vector<Rated>& places) {
   return line;
 }
 
-// Rate of the row of a place: along with its node, or away from it.
+// Rate of the row of a place, which moves with its node or away from it.
 Eigen::RowVectorXd moving_row(const LineMesh& mesh, const RatedRows& nodes, const Rated& place) {
   if (mesh.order() == 2) return mesh.row_rate(place.value, place.rate).transpose();
   return nodes.rate.row(static_cast<Index>(mesh.node(place.value)));
@@ -71,8 +71,8 @@ RatedRows load_rows(const Line& line, const LineMesh& mesh, const std::vector<Ra
   return rows;
 }
 
-// How the rigid motions change: a turn about a place that is held moves along with it. What they
-// turn into each other is none.
+// Rates of the rigid motions: a rotation about a held place moves with that place. Rates within the
+// rigid motions themselves are left out.
 RigidMotions rigid_rates(const Line& line, const RigidMotions& rigid) {
   RigidMotions rates = RigidMotions::Zero(rigid.rows(), rigid.cols());
   if (line.order != 2) return rates;

@@ -52,7 +52,7 @@ Matrix collocation_rate(const Beam& beam, const Beam& rate, const SpanModes& mod
   return phi_rate;
 }
 
-// Where it is everywhere the same.
+// Requires that it is the same everywhere.
 Rated mass_per_length(const Scene& scene, const Scene* direction) {
   return line_of(scene, direction).pieces.front().mass.front();
 }
@@ -133,7 +133,7 @@ Vector span_participation_rate(const Scene& scene, const Scene& direction, const
   return rate - g * (mass.rate / mass.value);
 }
 
-// The same numbers of a scene and of its direction, but for the damping.
+// The given numbers of a scene or of its direction, without the damping.
 ModalModel given_numbers(const Scene& scene, const ModalStructure& modal,
                          const std::vector<SceneStop>& stops) {
   ModalModel model;

@@ -24,7 +24,7 @@ struct ModalModel {
   Vector inertia;  // modal force per unit of uniform acceleration, kg^1/2, N; empty: no gravity
   std::vector<Vector> shapes;  // phi_j at each stop, kg^-1/2, N each
   Matrix collocation;          // Phi_ij = phi_j(x_i), N x N; empty where nothing collocates
-  // Nothing where the modes have a closed form or are given.
+  // nullopt when the modes have a closed form or are given.
   std::optional<ElementAccuracy> elements;
 };
 
@@ -43,7 +43,7 @@ ModalModel modal_tangent(const Scene& scene, const ModalModel& model, const Scen
 std::vector<Vector> shapes_at(const Scene& scene, const std::vector<double>& places);
 Vector strain_row(const Scene& scene, double x);
 
-// Of a beam, a string or a bar with its point masses, kg.
+// The mass of a beam, a string or a bar with its point masses, kg.
 double total_mass(const Scene& scene);
 
 // Whether the scene's forcing, gravity or impulses go through the collocation matrix.

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Index;
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-// Of each term and sum, and of entries that were rounded before.
+// Roundings of each term and sum, and of entries that were rounded before.
 constexpr double kRoundings = 8.0;
 
 std::vector<Rated> stop_places(const Scene& scene, const Scene* direction) {
@@ -64,7 +64,7 @@ StaticResponse response_of_modes_rate(const ModalModel& model, const ModalModel&
   return response;
 }
 
-// How far (phi/w)^2 may be wrong, relative, by each frequency.
+// Bounds on the relative error of (phi/w)^2, from that of each frequency.
 Vector square_errors(const Scene& scene, const ModalModel& model) {
   Vector errors = Vector::Constant(model.omega.size(), kRoundings * kEpsilon);
   if (scene.matrices()) {

@@ -1,4 +1,4 @@
-// What a structure gives way under constant loads, and how much of that its modes know of.
+// The deflection of a structure under constant loads, and how much of it its modes represent.
 #pragma once
 
 #include <optional>
@@ -15,14 +15,14 @@ struct StaticResponse {
                          // without gravity
 };
 
-// Of a checked scene. Nothing where the structure is known by its modes alone (given as such, or a
-// string with given frequencies), or turns with a hub.
+// Returns nullopt when only the modes of the checked scene's structure are known (given as such, or
+// a string with given frequencies), or when it rotates with a hub.
 std::optional<StaticResponse> static_response(const Scene& scene);
 
-// What the scene's modes make of it: sum of phi phi^T/w^2 over those that are not rigid.
+// The response of the scene's modes: sum of phi phi^T/w^2 over those that are not rigid.
 StaticResponse static_response_of_modes(const ModalModel& model);
 
-// The difference, which the modes left out make; `whole` is the structure's.
+// The difference, the response of the modes left out; `whole` is the structure's.
 StaticResponse residual_response(const StaticResponse& whole, const ModalModel& model);
 
 // Its rate along `direction` (see modal_tangent). Throws InputError where there is none: a stop of
@@ -30,8 +30,8 @@ StaticResponse residual_response(const StaticResponse& whole, const ModalModel& 
 StaticResponse residual_response_rate(const Scene& scene, const Scene& direction,
                                       const ModalModel& model, const ModalModel& rate);
 
-// How far the flexibility that is left at each stop may be wrong, m/N: by rounding, and by what is
-// not known of the frequencies.
+// Bound on the error of the residual flexibility at each stop, m/N: by rounding, and by the
+// uncertainty of the frequencies.
 Vector residual_uncertainty(const Scene& scene, const StaticResponse& whole,
                             const ModalModel& model);
 

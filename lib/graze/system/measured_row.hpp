@@ -1,11 +1,11 @@
-// What of a motion is looked at.
+// A measured quantity of a motion.
 #pragma once
 
 #include "graze/base/vector.hpp"
 
 namespace graze {
 
-// row.q, or of a velocity row.q'.
+// row.q, or row.q' for a velocity.
 struct MeasuredRow {
   Vector row;
   bool of_velocity = false;

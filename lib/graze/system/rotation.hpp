@@ -1,4 +1,4 @@
-// What a hub that turns adds to the structure fixed to it (A. S. Yigit, A. G. Ulsoy, R. A. Scott,
+// What a rotating hub adds to the structure fixed to it (A. S. Yigit, A. G. Ulsoy, R. A. Scott,
 // J. Sound Vib. 137, 1990; made consistent). In the coordinates y of the modes of hub and beam
 // together, small angles or large:
 //
@@ -15,7 +15,7 @@
 
 namespace graze {
 
-// Torque over time, straight between its points and zero outside; it jumps where an instant stands
+// Torque over time, linear between its points and zero outside; it jumps where an instant is given
 // twice.
 struct TorqueHistory {
   std::vector<double> times;   // s, ascending

@@ -4,8 +4,8 @@
 //   gap_i - row_i.q >= 0,   q'+ = q'- - (1 + r_i) direction_i (row_i.q'-)       at stop i,
 //   or, at a compliant one,  q'' = .. - row_i F_i(x_i, x_i'),  x_i = row_i.q - gap_i > 0
 //
-// Every harmonic effect is folded into these numbers; what is not there is absent. Where they come
-// from, a scene (assembly.hpp) or a program's own, the motion does not know. The row points into
+// Every harmonic effect is folded into these numbers; effects that are absent are not stored. The
+// numbers may come from a scene (assembly.hpp) or from a program's own model. The row points into
 // the stop, so that row.q' > 0 approaches it on either side.
 #pragma once
 
@@ -47,9 +47,9 @@ struct Stop {
   const ImpactLaw& impact() const { return std::get<ImpactLaw>(law); }
   ImpactLaw& impact() { return std::get<ImpactLaw>(law); }
   const Restitution& restitution() const { return impact().restitution; }
-  // Along which it pushes.
+  // Direction along which it pushes.
   const Vector& direction() const { return is_compliant() ? row : impact().direction; }
-  // Requires a compliant one.
+  // Requires a compliant stop.
   const ContactForce& force() const { return std::get<ContactForce>(law); }
   ContactForce& force() { return std::get<ContactForce>(law); }
 };
@@ -68,11 +68,11 @@ struct NaturalModes {
 
 struct System {
   Vector omega;  // rad/s, N
-  // On a hub that turns (Rotation) the coordinates are those of hub and beam together, N + 1 of
-  // them, and directions those of the structure at rest in its shape.
+  // On a rotating hub (Rotation) the coordinates are those of hub and beam together, N + 1 of them,
+  // and directions those of the structure at rest in its shape.
   std::variant<NaturalModes, Rotation> structure;
   std::vector<Stop> stops;
-  Units units = Units::kSi;  // of its numbers, for sentences about them
+  Units units = Units::kSi;  // of its numbers, for messages
 
   int modes() const { return static_cast<int>(omega.size()); }
   bool has_compliant_stop() const {
@@ -84,11 +84,11 @@ struct System {
                        [](const Stop& stop) { return !stop.is_compliant(); });
   }
   bool turns() const { return std::holds_alternative<Rotation>(structure); }
-  // Requires one that does not turn.
+  // Requires a structure without a rotating hub.
   const NaturalModes& modal() const { return std::get<NaturalModes>(structure); }
   NaturalModes& modal() { return std::get<NaturalModes>(structure); }
   const Vector& delta() const { return modal().delta; }
-  // Null where there is none.
+  // Null without a rotating hub.
   const Rotation* rotation() const { return std::get_if<Rotation>(&structure); }
   const HarmonicForcing* forcing() const {
     return !turns() && modal().forcing ? &*modal().forcing : nullptr;

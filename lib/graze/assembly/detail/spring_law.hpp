@@ -1,4 +1,4 @@
-// The contact force of a compliant stop, from what its scene says of it.
+// The contact force of a compliant stop, from its scene.
 #pragma once
 
 #include "graze/contact/contact_force.hpp"
@@ -6,13 +6,13 @@
 
 namespace graze {
 
-// The spring of a stop that is given a stiffness; a residual one has that of its law (N/m).
+// The spring with its stiffness as a number; `stiffness` (N/m) is used where it is residual.
 Spring as_given(const Spring& spring, double stiffness);
 
-// And its rate.
+// The rate of as_given.
 Spring rate_as_given(const Spring& rate, double stiffness_rate);
 
-// Of a checked scene, as given.
+// The law of a spring of a checked scene, as as_given returns it.
 ContactForce spring_law(const Spring& spring);
 
 // Its derivative when the scene's numbers move along `rate`, a spring of the same shape.

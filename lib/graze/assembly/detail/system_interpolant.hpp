@@ -17,7 +17,7 @@
 
 namespace graze {
 
-// Of the largest of its kind (all frequencies, all entries of one row, ..).
+// Relative to the largest number of its kind (all frequencies, all entries of one row, ..).
 inline constexpr double kInterpolantTolerance = 1e-12;
 
 // A System over a cell.

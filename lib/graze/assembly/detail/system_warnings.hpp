@@ -1,4 +1,4 @@
-// What in a scene deserves care although it can be simulated.
+// Warnings about a scene that can be simulated nevertheless.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace graze {
 
-// Sentences: ill-conditioned collocation points, an impulse law that can add energy. Empty where
-// all is well.
+// Sentences about ill-conditioned collocation points, an impulse law that can add energy, .. Empty
+// where there is nothing to warn of.
 std::vector<std::string> system_warnings(const Scene& scene, const System& system);
 
 // Condition number of the collocation matrix in force, or 0 where nothing collocates.

@@ -11,7 +11,7 @@ inline double even_value(double from, double to, int i, int points) {
   return i + 1 == points ? to : from + part * (to - from);
 }
 
-// All of them.
+// All of these values.
 inline std::vector<double> even_values(double from, double to, int points) {
   std::vector<double> values;
   for (int i = 0; i < points; ++i) values.push_back(even_value(from, to, i, points));

@@ -1,11 +1,11 @@
-// The stop signal of what a thread is at, and when its time is over.
+// The stop signal of the work that a thread is doing, and when its time is over.
 //
-// Whoever keeps results looks at its own signal, starts nothing new once that is given, and
-// concludes what it has. Whatever lies below, however deep, asks is_over() in every loop that a
-// millisecond does not bound, and ends as where it does not converge: what it says then is true,
-// but less than could be known. The two differ by a grace, so that conclusions are complete and all
-// the same end soon. To ask is to read one number, which a thread beside sets: no loop has to
-// decide how often it looks at a clock.
+// A caller that keeps results polls its own signal: once that is given, it starts nothing new and
+// concludes what it has. The functions below it, however deep, ask is_over() in every loop that may
+// take longer than a millisecond, and then end as if they had not converged: what they return is
+// true, but less than could be known. Between the signal and is_over() lies a grace, so that
+// conclusions are complete and everything still ends soon. is_over() reads one number, which
+// another thread sets, so that no loop has to decide how often it looks at a clock.
 #pragma once
 
 #include <atomic>
@@ -16,14 +16,14 @@
 
 namespace graze {
 
-// In this thread from here to the end of the scope; for_each_index hands it to its threads.
+// Holds in this thread to the end of the scope; for_each_index passes it on to its threads.
 class StopScope {
  public:
-  // From when the signal is given until the time is over.
+  // The time between the signal and is_over().
   static constexpr std::chrono::milliseconds kGrace{250};
 
   explicit StopScope(const StopSignal& stop, std::chrono::milliseconds grace = kGrace);
-  // That of another thread, which waits for this one.
+  // The scope of another thread, which waits for this one.
   struct Handle {
     StopSignal stop;
     const std::atomic<bool>* over = nullptr;
@@ -33,7 +33,7 @@ class StopScope {
   StopScope(const StopScope&) = delete;
   StopScope& operator=(const StopScope&) = delete;
 
-  // One that is never given outside of every scope.
+  // A signal that is never given, outside of every scope.
   static const StopSignal& current() { return of_this_thread().stop; }
   static Handle handle() { return of_this_thread(); }
   static bool is_over() { return of_this_thread().over->load(std::memory_order_relaxed); }

@@ -66,8 +66,8 @@ void triangularise(Eigen::MatrixXcd& t, const std::vector<Complex>& values) {
   }
 }
 
-// |x| |y| of the right and left vectors of the j-th eigenvalue of a triangular matrix, y^* x = 1:
-// its condition number; not finite where there is no such pair.
+// Condition number |x| |y| of the j-th eigenvalue of a triangular matrix, x and y its right and
+// left vectors with y^* x = 1; not finite where there is no such pair.
 double condition_of(const Eigen::MatrixXcd& t, Index j, ComplexVector& x) {
   const Index n = t.rows();
   const Complex value = t(j, j);
@@ -88,7 +88,7 @@ double condition_of(const Eigen::MatrixXcd& t, Index j, ComplexVector& x) {
   return std::sqrt(right) * std::sqrt(left);
 }
 
-// Backward error of eigenvectors in units of n eps |A|; a few come up.
+// Largest backward error of eigenvectors that is accepted, in units of n eps |A|; a few are usual.
 constexpr double kRoundingsOfModes = 64.0;
 
 }  // namespace
@@ -141,7 +141,8 @@ std::vector<Eigenvalue> eigenvalues(const Matrix& matrix, ErrorBounds errors, do
     const double roundings = size + uncertainty;
     const double unit = std::numeric_limits<double>::epsilon() * roundings * norm;
     const double elsner = std::pow(norm + unit, 1.0 - 1.0 / size) * std::pow(unit, 1.0 / size);
-    bool told = true, stopped = false;  // told from zero, each by itself
+    bool told = true, stopped = false;  // distinct: each eigenvalue alone is known to differ from
+                                        // zero
     for (Index j = 0; j < n; ++j) {
       stopped = stopped || StopScope::is_over();
       Eigenvalue& value = list[static_cast<std::size_t>(j)];
@@ -165,7 +166,7 @@ ComplexModes complex_modes(const Matrix& matrix) {
   modes.vectors = solver.eigenvectors();
   modes.inverse = inverse(modes.vectors);
   const double condition = modes.vectors.norm() * modes.inverse.norm();
-  // Of a pair that coincides to the last bit the solver returns vectors that are none.
+  // The solver returns no valid vectors for a pair that coincides to the last bit.
   const double residual =
       (matrix.cast<Complex>() * modes.vectors - modes.vectors * modes.values.asDiagonal()).norm();
   const double rounding = kRoundingsOfModes * static_cast<double>(matrix.rows()) *
@@ -190,7 +191,7 @@ double norm_growth_rate(const Matrix& matrix) {
 }
 
 Matrix matrix_exponential(const Matrix& matrix) {
-  // A structure held in all its directions has none left: the exponential of nothing is nothing.
+  // A structure held in all its directions has no coordinates: the exponential of an empty matrix.
   if (matrix.rows() == 0) return matrix;
   return matrix.exp();
 }

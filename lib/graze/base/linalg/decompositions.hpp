@@ -11,17 +11,17 @@ namespace graze {
 // Ratio of the largest to the smallest singular value; infinity for a singular matrix.
 double condition_number(const Matrix& matrix);
 
-// Largest modulus first, of a conjugate pair the negative imaginary part first.
+// Sorts by falling modulus, of a conjugate pair the negative imaginary part first.
 void sort_eigenvalues(std::vector<Eigenvalue>& list);
 
-// Whether errors are asked for. They cost about as much as the eigenvalues; left out they are 0.
+// Whether errors are computed. They cost about as much as the eigenvalues; left out they are 0.
 enum class ErrorBounds { kGiven, kLeftOut };
 
 // Eigenvalues of a real square matrix, largest modulus first, conjugate pairs adjacent with the
 // negative imaginary part first; the same to the last bit with and without their errors. Empty when
 // the iteration does not converge. `uncertainty`, in eps |A|: how far the matrix may be from the
-// one that is meant, beside the n of the decomposition. Where it was asked to stop (stop_scope.hpp)
-// the bounds that are missing are Elsner's.
+// intended one, in addition to the n of the decomposition. When it was asked to stop
+// (stop_scope.hpp), bounds that are not yet computed are replaced by Elsner's.
 std::vector<Eigenvalue> eigenvalues(const Matrix& matrix, ErrorBounds errors = ErrorBounds::kGiven,
                                     double uncertainty = 0.0);
 

@@ -16,9 +16,9 @@ namespace graze {
 struct Eigenvalue {
   Complex value;
   double error = 0.0;
-  // As far as it is known: real where a perturbation as large as that of the error lets it meet its
-  // conjugate, as those are into which rounding splits a double real one. They part as the square
-  // root of the perturbation, of which twice its linear error reaches back to where they meet.
+  // The value as far as it is known: real where a perturbation of the size of the error can make it
+  // meet its conjugate, as when rounding splits a double real eigenvalue. The two separate as the
+  // square root of the perturbation, so twice the linear error reaches back to where they meet.
   Complex known() const {
     return std::abs(value.imag()) <= 2.0 * error ? Complex(value.real()) : value;
   }

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-// What is used here; all of the class would instantiate products of triangles too.
+// Only what is used here; instantiating all of the class would add triangular products, too.
 template void Eigen::PartialPivLU<Eigen::MatrixXd>::compute();
 template double Eigen::PartialPivLU<Eigen::MatrixXd>::determinant() const;
 template void Eigen::PartialPivLU<Eigen::MatrixXcd>::compute();

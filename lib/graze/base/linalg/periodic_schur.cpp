@@ -112,7 +112,7 @@ bool triangularise(ComplexFactors& factors, Index j, bool& pair) {
       return true;
     }
     const ComplexPair r = triangular_block(factors, j), p = whole_block(factors, j, r);
-    // A pair too close to tell from rounding shows when real shifts lead nowhere.
+    // A pair within rounding of real eigenvalues shows when real shifts do not converge.
     if (steps == 0) pair = has_pair(p, rounding);
     if (!pair && steps >= 10) pair = has_pair(p, 0.0);
     step(factors, j, start_of(factors, j, r, p, pair));

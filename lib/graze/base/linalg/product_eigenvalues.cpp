@@ -111,7 +111,7 @@ std::vector<Eigenvalue> diagonal_products(const Factors& factors, long exponent)
   return list;
 }
 
-// Their errors.
+// Adds the errors of these eigenvalues.
 void add_errors(const Factors& factors, double roundings, long exponent,
                 std::vector<Eigenvalue>& list) {
   const std::vector<Scaled<double>> errors = first_order_errors(factors, roundings, exponent);

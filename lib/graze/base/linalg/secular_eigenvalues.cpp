@@ -12,9 +12,10 @@ namespace {
 
 using Eigen::Index;
 
-// A mode whose flow vanishes to this, over one factor, or over all while one of them is below the
-// second, is extinguished: that flow is taken for zero, and with it two eigenvalues of M. The
-// others move by less than its size times what their vectors may be out of proportion.
+// A mode is extinguished when its flow vanishes to the first number over one factor, or to the
+// third over all factors while one of them is below the second. Its flow is taken for zero, and
+// with it two eigenvalues of M. The others move by less than its size times the ratio of their
+// vectors' sizes.
 constexpr double kExtinguished = 0x1p-100, kWeak = 0x1p-80, kExtinguishedByAll = 0x1p-200;
 constexpr double kProportion = 0x1p20;
 // A jump whose determinant is cancelled to this part makes an eigenvalue too small to be found like
@@ -30,15 +31,16 @@ constexpr int kMirroredSweeps = 12, kMostSweeps = 60;
 // A step below this part of a root that does not become shorter is the root's rounding.
 constexpr double kStagnant = 1e-7;
 
-// What sum and product of all may be off by, of the sum of the moduli and of each: what is missing,
-// or counted twice, differs from another root by more.
+// Relative errors allowed for the sum (of the sum of the moduli) and the product (each): a missing
+// root, or one counted twice, changes them by more.
 constexpr double kOfSum = 1e-10, kOfEach = 1e-9;
 
 struct Root {
   Complex value;
   double step = std::numeric_limits<double>::infinity();  // the last one's length
   bool settled = false, stagnant = false;
-  // Of a mirrored pair that with the negative imaginary part follows the other.
+  // True for the root with negative imaginary part of a conjugate pair, which follows the other
+  // one.
   bool mirrors = false;
 };
 
@@ -77,7 +79,7 @@ class RootSearch {
     roots_.back().mirrors = mirrors;
   }
 
-  // One step of a root; false where it leads nowhere.
+  // One step of a root; false where there is no next value.
   bool improve(std::size_t i) {
     Root& root = roots_[i];
     Complex slope = function_.logarithmic_slope(root.value);
@@ -111,8 +113,8 @@ class RootSearch {
     return true;
   }
 
-  // From now on each root goes where it will: those that were a pair may become two real ones, and
-  // the other way round.
+  // From now on each root moves by itself: a conjugate pair may become two real roots, and the
+  // other way round.
   void release() {
     for (std::size_t i = 0; i < roots_.size(); ++i) {
       Root& root = roots_[i];
@@ -125,7 +127,7 @@ class RootSearch {
     }
   }
 
-  // Those again real or in pairs. False where one remains.
+  // Makes these roots real or conjugate pairs again. False where one is left over.
   bool mirror_released() {
     std::vector<std::size_t> left = released_;
     while (!left.empty()) {
@@ -161,8 +163,8 @@ class RootSearch {
   std::vector<std::size_t> released_;
 };
 
-// Whether 1 + P Q^T may be: its determinant is that of the small 1 + Q^T P, next to the terms that
-// its diagonal is made of.
+// Whether 1 + P Q^T may be singular: its determinant is that of the small 1 + Q^T P, compared with
+// the terms that make up its diagonal.
 bool is_singular(const JumpAndFlow& factor) {
   const Index rank = factor.from.cols();
   const Matrix added = factor.to.transpose() * factor.from;
@@ -174,7 +176,7 @@ double flow_size(const JumpAndFlow& factor, Index m) {
   return std::hypot(factor.qq[m], factor.qv[m], std::hypot(factor.vq[m], factor.vv[m]));
 }
 
-// Takes the flows of extinguished modes for zero. Returns what that may move an eigenvalue by.
+// Takes the flows of extinguished modes for zero. Returns a bound on the change of an eigenvalue.
 double extinguish(std::vector<JumpAndFlow>& factors) {
   double largest = 0.0;
   for (Index m = 0; m < factors.front().qq.size(); ++m) {
@@ -194,7 +196,7 @@ double extinguish(std::vector<JumpAndFlow>& factors) {
   return largest;
 }
 
-// How the modes take part.
+// Which modes are searched, and which eigenvalues are known without a search.
 struct Parts {
   std::vector<Index> searched;
   std::vector<Eigenvalue> known;  // eigenvalues of the modes that are not searched

@@ -296,8 +296,8 @@ double SecularFunction::first_order_error(Complex mu, double roundings) const {
   product.cwiseAbs().maxCoeff(&row, &column);
   const ComplexVector right = product.col(column) / product(row, column),
                       left = product.row(row).transpose() / product(row, column);
-  // Of M x = mu x what the jumps add flows round the cycle to its start; so does what they take up
-  // of y backwards.
+  // Since M x = mu x, what the jumps add to x flows round the cycle to its start; what they take
+  // from y flows likewise backwards.
   const Index n = modes();
   const std::size_t k = factors_.size();
   ComplexVector x = ComplexVector::Zero(2 * n), y = x;

@@ -2,13 +2,13 @@
 //
 //   p >= 0,   w = v - D p <= 0,   p_i w_i = 0,
 //
-// v: what would happen without them (approach speeds to be undone, accelerations into the stops,
-// penetrations); D: how each of them acts on each (Delassus matrix). The set of contacts that act
-// is found by letting the first one that contradicts itself change sides, which ends at the
-// solution where all principal minors of D are positive, as those of independent contacts are (K.
-// G. Murty, Opsearch 11, 1974, 123-130). Where contacts depend on each other (two stops at one
-// place) all sets are tried, in one order. Of more contacts than that allows, Lemke's method finds
-// the set (lemke.hpp), and what it finds is checked.
+// v: what would happen without the contacts (approach speeds to be undone, accelerations into the
+// stops, penetrations); D: how each contact acts on each (Delassus matrix). The set of acting
+// contacts is found by letting the first one that contradicts itself change sides, which ends at
+// the solution where all principal minors of D are positive, as those of independent contacts are
+// (K. G. Murty, Opsearch 11, 1974, 123-130). Where contacts depend on each other (two stops at one
+// place) all sets are tried, in one order. For more than kFewContacts contacts Lemke's method finds
+// the set (lemke.hpp), and its solution is checked.
 #pragma once
 
 #include <limits>
@@ -21,20 +21,20 @@
 
 namespace graze {
 
-// Of up to so many contacts all sets may be tried; of more the set is Lemke's.
+// Up to so many contacts all sets may be tried; for more Lemke's method finds the set.
 inline constexpr int kFewContacts = 12;
 
 // Roundings of v - D p by the contacts' own action: the elimination, the products and the sum.
 inline constexpr int kRoundingsOfAction = 8;
 
-// What they leave of each contact.
+// The rounding error of v - D p for each contact.
 template <class Real>
 RealVector<Real> rounding_of_action(const RealMatrix<Real>& delassus, const RealVector<Real>& p) {
   return kRoundingsOfAction * std::numeric_limits<Real>::epsilon() * delassus.cwiseAbs() *
          p.cwiseAbs();
 }
 
-// What comes of letting these contacts act, bit i of `set` for contact i.
+// The result of letting a set of contacts act, bit i of `set` for contact i.
 template <class Real>
 struct ContactTrial {
   RealVector<Real> p;
@@ -55,7 +55,7 @@ ContactTrial<Real> try_contacts(const RealMatrix<Real>& delassus, const RealVect
     trial.solvable = lu.is_invertible();
     if (!trial.solvable) return trial;
     p(active) = lu.solve(v(active));
-    // Once more for what is left: rows of different size come out with roundings of the largest.
+    // One refinement: rows of different size come out with roundings of the largest.
     p(active) += lu.solve((v - delassus * p)(active));
   }
   const RealVector<Real> w = v - delassus * p;
@@ -68,9 +68,9 @@ ContactTrial<Real> try_contacts(const RealMatrix<Real>& delassus, const RealVect
   return trial;
 }
 
-// What is left of w = v - D p by the set of contacts that Lemke's method ends with. Each of n
-// products and sums rounds by one eps of |D||p|, and a solution that was refined once leaves as
-// much of its own; within that, and the rounding of v, the solution is checked to be one.
+// The set of contacts that Lemke's method finds, solved for p. Each of n products and sums rounds
+// by one eps of |D||p|, and a solution that was refined once leaves as much in w = v - D p; within
+// that, and the rounding of v, it is checked to be a solution.
 template <class Real>
 std::optional<RealVector<Real>> solve_many_contacts(const RealMatrix<Real>& delassus,
                                                     const RealVector<Real>& v,
@@ -100,8 +100,8 @@ std::optional<RealVector<Real>> solve_many_contacts(const RealMatrix<Real>& dela
   return p.cwiseMax(Real(0));
 }
 
-// p, or nothing where no set of contacts fits (they contradict each other). `rounding`: of v, per
-// contact; a violation within it and that of p counts as none.
+// Returns p, or nullopt when no set of contacts fits (they contradict each other). `rounding`: of
+// v, per contact; a violation within it and that of p counts as none.
 template <class Real>
 std::optional<RealVector<Real>> solve_contacts(const RealMatrix<Real>& delassus,
                                                const RealVector<Real>& v,

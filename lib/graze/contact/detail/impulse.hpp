@@ -19,9 +19,9 @@ Vector collocation_direction(const Matrix& phi, int point, double sign);
 Vector collocation_direction_rate(const Matrix& phi, const Matrix& phi_rate,
                                   const Vector& direction);
 
-// Change of kinetic energy (J) by the impact of velocities `before`, v = row.before: the loss
-// (1 - r^2) v^2 m_eff/2 of the momentum law, and what the part of the direction that is oblique to
-// the row adds or takes.
+// Change of kinetic energy (J) by the impact of velocities `before`, v = row.before: the loss (1 -
+// r^2) v^2 m_eff/2 of the momentum law, and the gain or loss by the part of the direction that is
+// oblique to the row.
 double impact_energy_change(const Vector& row, const Vector& direction, const Vector& before,
                             double restitution);
 

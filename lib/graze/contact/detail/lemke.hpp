@@ -21,8 +21,8 @@
 
 namespace graze {
 
-// The path of a positive definite matrix is as long as its size as a rule; one that takes this many
-// times more is given up.
+// The path of a positive definite matrix is usually as long as its size; the search ends without a
+// solution when it takes this many times more.
 inline constexpr int kMostPivotsPerRow = 50;
 
 template <class Real>
@@ -39,7 +39,7 @@ class LemkeTableau {
     tiny_ = Real(static_cast<int>(size_) + 8) * std::numeric_limits<Real>::epsilon();
   }
 
-  // The indices of z that are basic at the end, or nothing where the path ends on a ray.
+  // The indices of z that are basic at the end, or nullopt when the path ends on a ray.
   std::optional<std::vector<Eigen::Index>> solve() {
     if (!(right().minCoeff() < 0)) return acting();
     Eigen::Index row = most_violated();
@@ -92,7 +92,7 @@ class LemkeTableau {
     return false;
   }
 
-  // By the least ratio; the covering variable leaves as soon as it can. -1: nothing limits it.
+  // Found by the least ratio; the covering variable leaves as soon as it can. -1: no row limits it.
   Eigen::Index leaving_row(Eigen::Index entering) const {
     using std::abs;
     const Real least = tiny_ * table_.col(entering).cwiseAbs().maxCoeff();
@@ -109,7 +109,7 @@ class LemkeTableau {
     return row;
   }
 
-  // Pivots; the variable that leaves the basis.
+  // Pivots; returns the variable that leaves the basis.
   Eigen::Index replace(Eigen::Index row, Eigen::Index entering) {
     table_.row(row) /= Real(table_(row, entering));
     for (Eigen::Index i = 0; i < size_; ++i) {

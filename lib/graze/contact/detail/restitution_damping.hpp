@@ -1,5 +1,5 @@
 // Which damping of a contact gives which restitution e, for a mass m that meets the stop at speed
-// v: what the models ask for in print, what it comes to, and the coefficient that gives e exactly.
+// v: the formulas as published, their true restitution, and the coefficient that gives e exactly.
 //
 //   Kelvin-Voigt (n = 1)    C = 2 zeta sqrt(k m),  zeta = -ln e/sqrt(pi^2 + ln^2 e)
 //                           exact where the contact ends at zero depth; at zero force
@@ -33,7 +33,7 @@ double damping_ratio_at_zero_force(double restitution);
 double restitution_of_power_damping(double a);
 double power_damping_of(double restitution);
 
-// d v_0 as the models ask for it, for a restitution asked for: 0 < e <= 1.
+// d v_0 by the published formula of each model, for a requested restitution 0 < e <= 1.
 double hunt_crossley_damping(double restitution);
 double lankarani_nikravesh_damping(double restitution);
 double flores_damping(double restitution);

@@ -5,8 +5,8 @@
 namespace graze {
 namespace {
 
-// Each solution with the borders of the last one is a step of inverse iteration; the smallest
-// singular value is far below the others, so few bring its vectors out.
+// Each solution with the borders of the previous one is a step of inverse iteration; the smallest
+// singular value is far below the others, so a few steps suffice for its vectors.
 constexpr int kInverseIterations = 4;
 
 template <class Square>
@@ -29,15 +29,15 @@ Column extended(const Column& head, const typename Column::Scalar& last) {
 
 Vector direction_of(const Vector& vector) { return vector.normalized(); }
 
-// Turned by the phase that makes sum v_k^2 positive, real and imaginary part are at right angles
-// and the real one is the longer.
+// Multiplied by the phase factor that makes sum v_k^2 positive; real and imaginary part are then
+// orthogonal and the real one is the longer.
 Vector direction_of(const ComplexVector& vector) {
   const Complex square = vector.cwiseProduct(vector).sum();
   return (std::polar(1.0, -0.5 * std::arg(square)) * vector).real().normalized();
 }
 
-// At right angles to nothing that equations make: entries between 1/2 and 3/2, spread by multiples
-// of the golden ratio.
+// A vector unlikely to be orthogonal to one from equations: entries between 1/2 and 3/2, spread by
+// multiples of the golden ratio.
 Vector irregular(Eigen::Index n) {
   Vector vector(n);
   for (Eigen::Index k = 0; k < n; ++k) {

@@ -1,5 +1,5 @@
 // A branch of solutions of a zero problem as a value: its points, its special points, how it ends;
-// and what it is asked for with. branch.hpp traces one.
+// and the options of its continuation. branch.hpp traces one.
 //
 // A solution is x = (u, parameter/range) in R^(n + 1), `range` the length of the parameter's range.
 #pragma once
@@ -17,32 +17,32 @@
 
 namespace graze {
 
-// How a special point was located: between which values of the parameter it lies, as far as the
+// How a special point was located: the values of the parameter between which it lies, as far as the
 // branch was seen from both sides, and whether it was solved for, or enclosed, to the last digits
-// that its equations carry. Of a fold the value itself is an end.
+// of its equations. For a fold the value itself is an end.
 struct Bracket {
   double from = 0.0, to = 0.0;  // from <= to
   bool converged = false;
 };
 
-// Around all of these values.
+// The smallest bracket that contains all of these values.
 Bracket bracket_around(std::initializer_list<double> values, bool converged);
 
-// A solution on a branch; not what is called a branch point (CriticalKind::kBranchPoint).
+// Any solution on a branch; a branch point BP is CriticalKind::kBranchPoint.
 struct SolutionPoint {
   Vector u;
   double parameter = 0.0;
   Vector tangent;         // unit, in (u, parameter/range), n + 1
   double residual = 0.0;  // largest entry of F, recomputed at the point
-  // Sign of det [dF/dx; tangent]: constant along a branch, folds included, but for branch points. 0
-  // on a branch point.
+  // Sign of det [dF/dx; tangent]: constant along a branch, also at folds; it changes at branch
+  // points. 0 on a branch point.
   int orientation = 0;
   std::vector<Eigenvalue> multipliers;  // where the problem has them
   std::optional<Bracket> bracket{};     // of one that was located between others
 
-  // As equations are asked with.
+  // The parameter values as ZeroProblem expects them.
   std::span<const double> parameters() const { return {&parameter, 1}; }
-  // Of the parameter along the branch, in ranges: zero at a fold.
+  // Rate of the parameter along the branch, in ranges: zero at a fold.
   double rate() const { return tangent[tangent.size() - 1]; }
   // The same solution on the branch run backwards.
   void turn_round() {
@@ -51,14 +51,14 @@ struct SolutionPoint {
   }
 };
 
-// Where an unknown is wanted. A branch ends on either side of it as at a limit of the parameter.
+// The range of an unknown. A branch ends on either side of it as at a limit of the parameter.
 struct UnknownRange {
   Eigen::Index unknown = 0;     // its place in u
   double from = 0.0, to = 1.0;  // either order
   double max_step = 0.0;        // largest change of it along the tangent of one step; 0: any
 };
 
-// A branch is given up after this many points in one direction.
+// A branch ends after this many points in one direction.
 inline constexpr int kMostBranchPoints = 20000;
 
 struct ContinuationOptions {
@@ -75,10 +75,10 @@ struct ContinuationOptions {
   double residual_tolerance = 1e-11;
   int max_points = kMostBranchPoints;  // in each direction
   StopSignal stop{};
-  // Asked of the ends of every step; false: it is too long to show what happens within, and taken
-  // shorter. Empty: none is.
+  // Called with the ends of every step; false: the step is too long to show what happens within it,
+  // and is taken shorter. Empty: no step is.
   std::function<bool(const SolutionPoint& from, const SolutionPoint& to)> resolves{};
-  // Asked of every new point and the one before it; false ends the branch there. Empty: go on.
+  // Called with every new point and the previous one; false ends the branch there. Empty: goes on.
   std::function<bool(const SolutionPoint& previous, const SolutionPoint& here)> proceed{};
 };
 
@@ -109,7 +109,8 @@ struct CriticalPoint {
   CriticalKind kind = CriticalKind::kFold;
   SolutionPoint point;
   std::size_t after = 0;                 // lies between points after and after + 1
-  std::optional<Eigenvalue> multiplier;  // the critical one; of a pair that with positive imag
+  std::optional<Eigenvalue> multiplier;  // the critical one; of a pair the one with positive
+                                         // imaginary part
 };
 
 struct Branch {

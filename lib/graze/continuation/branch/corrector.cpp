@@ -14,10 +14,10 @@ constexpr int kMostCorrections = 8;
 // A step this small leaves an error of its square, below rounding.
 constexpr double kCorrectorSettled = 1e-8;
 
-// Roundings of an entry of F: more than its terms have, less than what leads to another solution.
+// Roundings of an entry of F: more than its terms have, less than a distance to another solution.
 constexpr double kRoundingsOfEquation = 1024.0;
 
-// Whether each entry of F is no more than what the rounding of x makes of it.
+// Whether each entry of F is within the effect of the rounding of x.
 bool is_rounding_of(const Vector& residual, const Matrix& rates, const Vector& x) {
   const Vector size = rates.cwiseAbs() * x.cwiseAbs();
   return (residual.cwiseAbs().array() <=
@@ -25,7 +25,7 @@ bool is_rounding_of(const Vector& residual, const Matrix& rates, const Vector& x
       .all();
 }
 
-// Factorised where it stands: the matrix is not needed any more.
+// Factorised in place: the matrix is no longer needed.
 using InPlaceLU = Eigen::PartialPivLU<Eigen::Ref<Matrix>>;
 
 // The right-hand side (-residual, 0).
@@ -77,7 +77,7 @@ std::optional<SolutionPoint> Corrector::solve(Vector x, const Vector& normal, do
     std::optional<Linearised> at = linearise(x, normal);
     if (!at) return {};
     const double residual = at->residual.cwiseAbs().maxCoeff();
-    // What a correction this small does not halve is rounding, if it is no more than that.
+    // A residual that is not halved by so small a correction is rounding, if it is within that.
     const bool is_rounding = 2.0 * residual >= before &&
                              last <= options_.residual_tolerance * (1.0 + x.norm()) &&
                              is_rounding_of(at->residual, at->bordered.topRows(n), x);
@@ -115,7 +115,7 @@ double Corrector::determinant_ratio(const SolutionPoint& a, const SolutionPoint&
   std::optional<Linearised> at_a = linearise(pack(a), a.tangent),
                             at_b = linearise(pack(b), b.tangent);
   if (!at_a || !at_b) return std::numeric_limits<double>::quiet_NaN();
-  // Entry by entry of the triangular factors: the determinants themselves might overflow.
+  // Compares the triangular factors entry by entry: the determinants themselves might overflow.
   const Vector pivots_a = InPlaceLU(at_a->bordered).matrixLU().diagonal();
   const Vector pivots_b = InPlaceLU(at_b->bordered).matrixLU().diagonal();
   double logarithm = 0.0;
@@ -139,7 +139,7 @@ std::optional<double> Corrector::residual_at(const Vector& x) {
 
 std::optional<SolutionPoint> Corrector::at_parameter(const Vector& guess) {
   // Newton at a fixed parameter is Newton on the hyperplane normal to the parameter's axis; only
-  // the tangent has to be sought without it, for it may lie in that hyperplane.
+  // the tangent has to be computed without it, for it may lie in that hyperplane.
   const Eigen::Index n = guess.size() - 1;
   std::optional<SolutionPoint> point = solve(guess, Vector::Unit(n + 1, n), kConvergent);
   if (!point) return {};

@@ -10,8 +10,8 @@ namespace {
 
 // A branch closes only after it has been this far from its start, well beyond kOnePoint.
 constexpr double kAway = 1e-5;
-// Tangents at a branch point that differ by less than this, rad, are one: the other branch leaves
-// it at more.
+// Tangents at a branch point that differ by less than this, rad, are the same: other branches cross
+// at larger angles.
 constexpr double kOneTangent = 1e-2;
 
 }  // namespace
@@ -48,7 +48,7 @@ bool GrowingBranch::advance(const SolutionPoint& next) {
     }
     reached = point_on_limit(corrector_, *crossing, limit).value_or(*crossing);
   }
-  // Within that, an unknown may have left its range before.
+  // Before that, an unknown may have left its range.
   if (const auto exit = unknowns_.exit_between(corrector_, last(), reached)) {
     end(exit->reached ? BranchEnd::kUnknownLimit : BranchEnd::kNotConverged);
     if (exit->reached) add(exit->point);
@@ -83,9 +83,10 @@ bool GrowingBranch::closes(const SolutionPoint& next) {
 }
 
 // A start on a branch point is no regular solution to be corrected to. A branch comes back to it in
-// a step so short that no other branch point lies there, and along the tangent that it left with:
-// one that crosses itself passes it before along another. Tangents next to it are lost in rounding:
-// that of the last point clear of it is turned on by as much as it turned to the chord.
+// a step so short that no other branch point lies there, and along the tangent that it left with: a
+// branch that crosses itself passes the start before along another tangent. Tangents next to it are
+// lost in rounding: the tangent of the last clear point is rotated on by the angle between it and
+// the chord.
 bool GrowingBranch::crosses_start(const SolutionPoint& next) {
   const SolutionPoint& start = branch_.points.front();
   if (last().orientation * next.orientation >= 0) return false;
@@ -101,7 +102,7 @@ bool GrowingBranch::crosses_start(const SolutionPoint& next) {
   return start.tangent.dot(arriving) >= std::cos(kOneTangent);
 }
 
-// The start once more, with angles as the branch has counted them.
+// The start as the last point, with the angles that the branch has counted.
 SolutionPoint GrowingBranch::closing_point() const {
   SolutionPoint start = branch_.points.front();
   start.u = (corrector_.pack(last()) + corrector_.chord(last(), start)).head(start.u.size());

@@ -9,7 +9,7 @@
 namespace graze {
 namespace {
 
-// Segments to a box: about the square root of the points of a branch.
+// Segments in a box: about the square root of the points of a branch.
 constexpr std::size_t kRun = 16;
 
 }  // namespace
@@ -34,7 +34,7 @@ KnownBranch::KnownBranch(const Corrector& corrector, std::vector<SolutionPoint> 
     : points_(std::move(points)), wrap_(wrap), max_turn_(max_turn) {
   for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
     const Vector a = corrector.pack(points_[i]), b = corrector.pack(points_[i + 1]);
-    // What a sum of squares rounds is no more than the last digits of a margin twice as wide.
+    // A margin twice as wide covers the rounding of the sum of squares.
     const double margin = 2.0 * std::max(kOnePoint, 0.5 * max_turn_ * (b - a).norm());
     if (i % kRun == 0) runs_.emplace_back();
     for (Box* box : {&whole_, &runs_.back()}) {

@@ -9,8 +9,8 @@
 namespace graze {
 namespace {
 
-// Rates this small at both ends of a step are rounding: the branch stands upright, and does not
-// turn back whatever their signs.
+// Rates this small at both ends of a step are rounding: the parameter is constant along the branch,
+// which does not turn back whatever their signs.
 constexpr double kUprightRate = 1e-12;
 
 // Whether the branch through `near` leads to near + offset.
@@ -31,7 +31,7 @@ Vector cubic_between(const Corrector& corrector, const SolutionPoint& from, doub
                      const SolutionPoint& a, const SolutionPoint& b) {
   const Vector x = corrector.pack(from), x_a = corrector.pack(a);
   const Vector chord = corrector.chord(a, b);
-  // Along the normal: from a to b, and from a to the hyperplane.
+  // Components along the normal: from a to b, and from a to the hyperplane.
   const double length = chord.dot(from.tangent);
   const double ahead = s - corrector.difference(x_a, x).dot(from.tangent);
   const double rate_a = a.tangent.dot(from.tangent), rate_b = b.tangent.dot(from.tangent);
@@ -61,7 +61,7 @@ std::optional<SolutionPoint> locate(Corrector& corrector, const SolutionPoint& a
     return there;
   }
   if (!(at_a * at_b < 0.0) || !(length > 0.0)) return {};
-  // Of the two last bits that enclose the zero, the one on the side where the test is positive.
+  // Of the two neighbouring numbers that enclose the zero, the one where the test is positive.
   std::optional<SolutionPoint> best = at_a > 0.0 ? a : b;
   double smallest = std::max(at_a, at_b);
   // The nearest points known on either side of the zero.
@@ -97,7 +97,7 @@ std::optional<SolutionPoint> locate(Corrector& corrector, const SolutionPoint& a
 
 std::optional<SolutionPoint> fold_between(Corrector& corrector, const SolutionPoint& a,
                                           const SolutionPoint& b) {
-  // Where a branch leaves another one its parameter may stand still, but it does not turn back.
+  // Where a branch leaves another one its parameter may be stationary, but it does not turn back.
   if (a.orientation * b.orientation == 0 || a.rate() * b.rate() >= 0.0) return {};
   if (std::max(std::abs(a.rate()), std::abs(b.rate())) <= kUprightRate) return {};
   return locate(corrector, a, b, [](const SolutionPoint& p) { return p.rate(); });
@@ -108,7 +108,7 @@ bool lies_between(Corrector& corrector, const SolutionPoint& a, const SolutionPo
   const Vector chord = corrector.pack(b) - corrector.pack(a);
   const double length = chord.norm();
   const Vector offset = corrector.chord(a, point);
-  // At the very ends there is nothing to correct, and at a limit perhaps nothing to evaluate.
+  // At the ends themselves no correction is needed, and at a limit evaluation may be impossible.
   if (offset.norm() < kOnePoint || (offset - chord).norm() < kOnePoint) return true;
   const double along = offset.dot(chord) / length;
   if (!(along >= 0.0 && along <= length)) return false;

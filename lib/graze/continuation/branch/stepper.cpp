@@ -10,13 +10,13 @@ namespace {
 
 // Steps up to this many times the last one are predicted from the last two points.
 constexpr double kFarthest = 2.0;
-// Newton's contraction asked of a step, and of the first step on the way back from its end. Where
-// the step crossed to a parallel branch, the way back contracts by 1/2 at best: its prediction lies
-// beyond the branch it is on, and Newton's step leads to that one.
+// Required contraction of Newton's method in a step, and of the first step on the way back from its
+// end. If the step has crossed to a parallel branch, the way back contracts by 1/2 at best: its
+// prediction lies beyond that branch, and Newton's step leads to it.
 constexpr double kContraction = 0.25;
 
 // A pair of folds that moves the parameter by less than this part of its range is rounding, as
-// where a branch stands upright, or nobody misses it.
+// where the parameter is constant along the branch, or is negligible.
 constexpr double kSmallestReturn = 1e-12;
 
 double angle(const Vector& a, const Vector& b) {
@@ -50,14 +50,14 @@ double Stepper::longest(const SolutionPoint& here) const {
                    max_distance / std::max(moved, 1e-3 * max_distance), unknowns_.longest(here)});
 }
 
-// What the branch is expected to bend by over a step of length h, at right angles to the tangent.
+// The expected deviation from the tangent over a step of length h, orthogonal to the tangent.
 Vector Stepper::bend(const SolutionPoint* before, const SolutionPoint& here, double h) const {
   const Vector x = corrector_.pack(here);
   Vector bent = Vector::Zero(x.size());
   if (before == nullptr) return bent;
   const Vector chord = x - corrector_.pack(*before);
   const double length = chord.norm(), part = h / length;
-  // Far beyond the two points their cubic says nothing.
+  // Far beyond the two points their cubic is meaningless.
   if (!(part <= kFarthest)) return bent;
   bent = part * part * (length * (before->tangent + 2.0 * here.tangent) - 3.0 * chord) +
          part * part * part * (length * (before->tangent + here.tangent) - 2.0 * chord);
@@ -91,8 +91,8 @@ std::optional<SolutionPoint> Stepper::step(const SolutionPoint* before, const So
   turn = angle(next->tangent, here.tangent);
   if (turn > options_.max_turn) return {};
   if (!leads_back(x, *next, chord)) return {};
-  // The two sides of one fold run opposite ways. At a branch point the orientation does change; a
-  // step as short as this has nowhere to jump to.
+  // The two sides of one fold have opposite directions. At a branch point the orientation does
+  // change; a step this short cannot jump to another branch.
   if (next->orientation * here.orientation < 0 &&
       chord.norm() > std::max(passing, kShortest * (1.0 + x.norm())))
     return {};
@@ -101,11 +101,11 @@ std::optional<SolutionPoint> Stepper::step(const SolutionPoint* before, const So
   return next;
 }
 
-// Whether the tangent at a step's end predicts where the step came from.
+// Whether the tangent at a step's end predicts the start of the step.
 bool Stepper::leads_back(const Vector& x, const SolutionPoint& next, const Vector& chord) {
   const Vector guess = x + chord - chord.dot(next.tangent) * next.tangent;
   const double error = (guess - x).norm();
-  // A prediction this good cannot be told from its correction.
+  // A prediction this good needs no correction.
   if (error <= kOnePoint) return true;
   const std::optional<Vector> back = corrector_.newton_step(guess, next.tangent);
   return back && (*back - x).norm() <= kContraction * error;

@@ -9,7 +9,7 @@
 namespace graze {
 namespace {
 
-// The limit of a range beyond which a value lies; nothing within.
+// The limit of a range beyond which a value lies; nullopt when it is within.
 std::optional<UnknownLimit> limit_below(const UnknownRange& range, double value) {
   if (value < range.from) return UnknownLimit{range.unknown, range.from};
   if (value > range.to) return UnknownLimit{range.unknown, range.to};
@@ -82,7 +82,7 @@ std::optional<SolutionPoint> point_on_limit(Corrector& corrector, const Solution
   const double rate = near.tangent[k];
   if (rate != 0.0) x += (limit.value - x[k]) / rate * near.tangent;
   x[k] = limit.value;
-  // At a fixed unknown, on the hyperplane normal to its axis.
+  // The unknown is fixed: the hyperplane is normal to its axis.
   const Vector normal = (rate < 0.0 ? -1.0 : 1.0) * Vector::Unit(x.size(), k);
   std::optional<SolutionPoint> point = corrector.on_hyperplane(x, normal);
   if (!point) return {};

@@ -1,13 +1,13 @@
-// The equations that are continued, F(u, parameters) = 0 with F: R^n x R^m -> R^n, as functions to
-// be asked: over one parameter for a branch (branch.hpp), over two for a locus (locus.hpp).
+// The equations that are continued, F(u, parameters) = 0 with F: R^n x R^m -> R^n, as callable
+// functions: over one parameter for a branch (branch.hpp), over two for a locus (locus.hpp).
 //
 // Where solutions stand for periodic orbits of something, their multipliers are the numbers mu at
 // which
 //
 //   A(mu) = dF/du + (mu - 1) closing
 //
-// is singular: what the orbit comes round to is counted mu times. The orbit itself closes with mu =
-// 1, so dF/du = A(1).
+// is singular: the deviation that closes the orbit is counted mu times. The orbit itself closes
+// with mu = 1, so dF/du = A(1).
 #pragma once
 
 #include <functional>
@@ -37,23 +37,24 @@ struct CriticalProduct {
 };
 
 struct ZeroProblem {
-  // Nothing where F cannot be evaluated.
+  // Returns nullopt when F cannot be evaluated.
   std::function<std::optional<ZeroEvaluation>(const Vector& u, Parameters at)> evaluate;
-  // u and u + m wrap are one solution for every integer m: for unknowns that are angles. Empty
-  // where nothing comes round.
+  // u and u + m wrap are the same solution for every integer m: for unknowns that are angles. Empty
+  // where no unknown is periodic.
   Vector wrap;
   // Multipliers of the solution, where it stands for a periodic orbit: largest modulus first,
   // conjugate pairs adjacent, as eigenvalues() gives them, with or without errors. Empty function:
-  // the equations have none, or special points that they make are not looked for.
+  // the equations have none, or their special points are not searched for.
   std::function<std::vector<Eigenvalue>(const Vector& u, Parameters at, ErrorBounds errors)>
       multipliers;
-  // Smooth functions of the solution at whose zeros a multiplier may have a pole, as one has where
-  // the speed of an impact vanishes: it runs through the unit circle next to it, in a part of a
-  // step that is as small as its residue. Empty: there are none.
+  // Smooth functions of the solution at whose zeros a multiplier may have a pole, as it has where
+  // the speed of an impact vanishes: near a pole it passes the unit circle within a part of a step
+  // that is as small as its residue. Empty: there are none.
   std::function<Vector(const Vector& u, Parameters at)> poles{};
   // The derivatives of each product by (u, parameters) with its vectors and multiplier held fixed,
-  // as a row of a matrix of n + m columns. All are asked for at once because the second derivatives
-  // of F, which are most of the work, are the same for all. Nothing as above. Only loci ask for it.
+  // as a row of a matrix of n + m columns. All are computed together because the second derivatives
+  // of F, which are most of the work, are the same for all. Returns nullopt when F cannot be
+  // evaluated. Only loci call it.
   std::function<std::optional<Eigen::MatrixXcd>(const Vector& u, Parameters at,
                                                 const std::vector<CriticalProduct>& products)>
       curvature{};

@@ -19,8 +19,9 @@ namespace graze {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-// Most turn of the critical vectors in a step, rad. As they turn by a right angle borders fail, and
-// what the parameters do meanwhile may be too small beside the unknowns to bend the locus.
+// Largest turn of the critical vectors in a step, rad. At a right angle borders fail, and the
+// change of the parameters meanwhile may be too small beside that of the unknowns to show as
+// curvature.
 constexpr double kMostBorderTurn = 0.5;
 
 class EquationLocusTracer {
@@ -31,7 +32,7 @@ class EquationLocusTracer {
         kind_(kind),
         equations_(problem, kind, first_range(options), second_range(options)) {}
 
-  // Nothing where the start leads to no point of the locus; n: that of the start.
+  // Returns nullopt when the start leads to no point of the locus. Sets n to that of the start.
   std::optional<SolutionPoint> solve(const LocusStart& start) {
     n_ = start.u.size();
     make_curve();
@@ -90,7 +91,7 @@ class EquationLocusTracer {
             {}};
   }
 
-  // The locus as a branch of the equations that a start of so many unknowns makes.
+  // The locus as a branch of the equations with the number of unknowns of a start.
   KnownBranch as_known(const Locus& locus) {
     n_ = locus.points.empty() ? 0 : locus.points.front().u.size();
     make_curve();
@@ -136,7 +137,7 @@ class EquationLocusTracer {
     };
   }
 
-  // In the order of test_kinds(), and the caller's behind them.
+  // The values in the order of test_kinds(), followed by the caller's.
   std::optional<Vector> tests(const SolutionPoint& from, const SolutionPoint& at) {
     std::optional<Vector> own = own_tests(from, at);
     if (!own || !options_.tests) return own;
@@ -170,7 +171,7 @@ class EquationLocusTracer {
     return {LocusPointKind::kResonance3, LocusPointKind::kResonance4, LocusPointKind::kFoldTorus};
   }
 
-  // Changes sign where one of the other multipliers passes 1; not a number where none are known.
+  // Changes sign where one of the other multipliers passes 1; NaN where they are not known.
   double fold_test(const SolutionPoint& at) const {
     if (!problem_.multipliers) return std::nan("");
     const std::vector<Eigenvalue> list =
@@ -181,7 +182,7 @@ class EquationLocusTracer {
     return crossing_tests(list)[kFoldTest].value();
   }
 
-  // The unknown is on its limit to the last bit; so shall be the parameter that it stands for.
+  // The unknown is on its limit to the last bit; so shall be the first parameter.
   void put_on_limit(LocusPoint& end) const {
     const bool nearer_to =
         std::abs(end.first - options_.first_to) < std::abs(end.first - options_.first_from);
@@ -200,12 +201,12 @@ class EquationLocusTracer {
     for (const CriticalPoint& critical : traced.branch.critical)
       if (const auto kind = kind_of(critical.kind)) {
         LocusPoint point = unpack(critical.point);
-        // Borders that fail within a step turn the orientation round there and back.
+        // Borders that fail within a step reverse the orientation twice.
         if (*kind == LocusPointKind::kCrossing && !equations_.is_on_locus(critical.point)) continue;
         if (*kind != LocusPointKind::kTwoDoublings || !is_at_one(point, resonances))
           locus.special.push_back({*kind, std::move(point), critical.after});
       }
-    // Where both doublings have vectors of their own their loci cross: said already.
+    // Where both doublings have vectors of their own their loci cross; that is listed already.
     const std::vector<LocusSpecialPoint> both = locus.special_of(LocusPointKind::kTwoDoublings);
     std::erase_if(locus.special, [&](const LocusSpecialPoint& special) {
       return special.kind == LocusPointKind::kCrossing && is_at_one(special.point, both);
@@ -227,7 +228,8 @@ class EquationLocusTracer {
                      });
   }
 
-  // What is special of a branch among the points of this locus; nothing where it turns back.
+  // The kind of a branch's special point on this locus; nullopt for a fold, which is not special
+  // here.
   std::optional<LocusPointKind> kind_of(CriticalKind kind) const {
     switch (kind) {
       case CriticalKind::kFold:
@@ -246,7 +248,7 @@ class EquationLocusTracer {
     return {};
   }
 
-  // The second multiplier that is -1 at R2 passes it there, by what rounding makes of the pair.
+  // At R2 the second multiplier, which is -1 too, passes -1 by the rounding of the pair.
   bool is_at_one(const LocusPoint& point, const std::vector<LocusSpecialPoint>& resonances) const {
     const double size = 1.0 + pack(point).u.norm();
     return std::any_of(resonances.begin(), resonances.end(), [&](const LocusSpecialPoint& other) {
@@ -254,7 +256,7 @@ class EquationLocusTracer {
     });
   }
 
-  // From b to a, in the metric of the locus.
+  // The vector from b to a, in the metric of the locus.
   Vector metric(const LocusPoint& a, const LocusPoint& b) const {
     return Corrector(curve_.problem, branch_options(curve_, options_)).chord(pack(b), pack(a));
   }

@@ -12,9 +12,9 @@
 // pair becomes real. No derivative is taken by differences.
 //
 // Special points are named as MatCont names them (Govaerts, Khoshsiar Ghaziani, Kuznetsov, Meijer,
-// SIAM J. Sci. Comput. 29 (2007) 2644). Two of one kind between neighbouring points are not
-// seen, but for those made by further multipliers that pass -1 or leave the circle as a pair. Those
-// that need third derivatives (degenerate doublings and tori: GPD, CH) are not looked for.
+// SIAM J. Sci. Comput. 29 (2007) 2644). Two of one kind between neighbouring points are missed,
+// except those made by further multipliers that pass -1 or leave the circle as a pair. Those that
+// need third derivatives (degenerate doublings and tori: GPD, CH) are not searched for.
 #pragma once
 
 #include <cstddef>
@@ -26,17 +26,17 @@
 
 namespace graze {
 
-// The point of the locus near a start: at its second parameter, where the locus stands upright at
-// its first. Nothing when Newton's method reaches none in the ranges of the options and within a
-// fifth of them.
+// The point of the locus near a start: at its second parameter, or at its first where the second is
+// constant along the locus. Returns nullopt when Newton's method reaches none in the ranges of the
+// options and within a fifth of them.
 std::optional<LocusPoint> solve_locus(const ZeroProblem& problem, const LocusOptions& options,
                                       const LocusStart& start);
 
-// The locus through that point, to its ends, its special points located. Nothing likewise.
+// The locus through that point, to its ends, its special points located; nullopt likewise.
 std::optional<Locus> trace_locus(const ZeroProblem& problem, const LocusOptions& options,
                                  const LocusStart& start);
 
-// Which of these traced loci has the point that a start leads to.
+// The index of the traced locus that contains the point that a start leads to.
 std::optional<std::size_t> find_locus(const ZeroProblem& problem, const LocusOptions& options,
                                       const std::vector<Locus>& loci, const LocusStart& start);
 

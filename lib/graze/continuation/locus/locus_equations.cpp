@@ -9,14 +9,14 @@
 namespace graze {
 namespace {
 
-// The evaluations that a point of the locus may be one of: those since the last one, at most the
-// iterations of a corrector and the way back.
+// Number of evaluations that are kept, one of which may become a point of the locus: those since
+// the last point, at most the iterations of a corrector and the way back.
 constexpr std::size_t kRecent = 16;
 
 // A branch point is interpolated over a step of kShortest (1e-6), and misses the branch by less.
 constexpr double kOnLocus = 1e-7;
 
-// Points that are asked for their distance as one, by the box around them.
+// Number of points in a box, by which their distances are tested together.
 constexpr std::size_t kBlock = 32;
 
 std::vector<Eigenvalue>::iterator nearest_to(std::vector<Eigenvalue>& list, const Complex& value) {
@@ -33,7 +33,7 @@ Eigen::MatrixXcd critical_matrix(const ZeroEvaluation& at, const Complex& mu) {
   return at.jacobian.cast<Complex>() + (mu - 1.0) * at.closing.cast<Complex>();
 }
 
-// Of the entries of A(mu), whatever these add up to.
+// Sum of the sizes of all terms in the entries of A(mu).
 double size_of_entries(const ZeroEvaluation& at) {
   return std::hypot((at.jacobian - at.closing).norm(), at.closing.norm());
 }
@@ -77,7 +77,7 @@ const Borders& LocusEquations::borders_near(const Vector& y, double second) cons
   const auto distance = [&](const Anchor& anchor) {
     return std::pow(anchor.second / second_range_ - across, 2) + (anchor.y - y).squaredNorm();
   };
-  // The nearest box says how near the others have to be.
+  // The nearest box bounds the distance of the nearest point.
   std::vector<double> to_box(blocks_.size());
   std::size_t start = 0;
   for (std::size_t block = 0; block < blocks_.size(); ++block) {
@@ -88,7 +88,7 @@ const Borders& LocusEquations::borders_near(const Vector& y, double second) cons
   double least = std::numeric_limits<double>::infinity();
   const auto search = [&](std::size_t block) {
     const std::size_t first = block * kBlock;
-    // From the last one: where a locus comes by again the points traced last are meant.
+    // From the last one: where a locus passes again, the points traced last are meant.
     for (std::size_t i = std::min(anchors_.size(), first + kBlock); i-- > first;) {
       const double here = distance(anchors_[i]);
       if (nearest && !(here < least)) continue;

@@ -1,5 +1,5 @@
 // Loci in the plane of two parameters as values: their points, their special points, how they end;
-// and what they are asked for with. locus.hpp traces them.
+// and the options of their continuation. locus.hpp traces them.
 #pragma once
 
 #include <array>
@@ -48,7 +48,7 @@ struct LocusPoint {
   double residual = 0.0;  // largest entry of F and of the test for the critical multiplier
   Vector tangent;         // unit, in (u, first/range[, angle], second/range), n + 2 or n + 3
   int orientation = 0;    // as in SolutionPoint
-  // All of them, the critical ones exact. Empty where the problem tells none.
+  // All multipliers, the critical ones exact. Empty where the problem gives none.
   std::vector<Eigenvalue> multipliers;
 };
 
@@ -57,7 +57,7 @@ struct LocusStart {
   LocusKind kind = LocusKind::kFold;
   Vector u;  // n
   double first = 0.0, second = 0.0;
-  Complex multiplier = 1.0;  // of NS: one of the pair; of LP and PD not looked at
+  Complex multiplier = 1.0;  // for NS: one of the pair; not used for LP and PD
 };
 
 struct LocusSpecialPoint {
@@ -66,7 +66,7 @@ struct LocusSpecialPoint {
   std::size_t after = 0;  // lies between points after and after + 1
 };
 
-// Where a function of one's own passes zero (LocusOptions::tests).
+// Where one of the caller's functions passes zero (LocusOptions::tests).
 struct LocusZero {
   std::size_t test = 0;  // which of its values
   LocusPoint point;
@@ -77,8 +77,9 @@ enum class LocusEnd {
   kFirstLimit,   // of the first parameter, exactly on it
   kSecondLimit,  // of the second
   kClosed,       // came back to where it started
-  // Of NS: the pair has become real, at R1 or R2. The angle is 0 or pi exactly; where the orbit
-  // shrinks there into one of half its period the equations are singular, and it is some 1e-5 off.
+  // For NS: the pair has become real, at R1 or R2. The angle is exactly 0 or pi; where the orbit
+  // shrinks there into one of half its period the equations are singular, and it has an error of
+  // 1e-5.
   kResonance,
   kStepLimit,     // max_points reached
   kNotConverged,  // no step, however small, converges
@@ -87,7 +88,7 @@ enum class LocusEnd {
   kStopped        // from outside
 };
 
-// What an end of a branch is called where it is one of a locus. `first`: whether the range that a
+// The end of a locus that corresponds to the end of a branch. `first`: whether a range that the
 // branch left (kUnknownLimit) is that of the first parameter; else it is the angle's.
 LocusEnd as_locus_end(BranchEnd end, bool first);
 
@@ -95,7 +96,7 @@ struct Locus {
   LocusKind kind = LocusKind::kFold;
   std::vector<LocusPoint> points;  // in order along the locus; a closed one repeats its first
   std::vector<LocusSpecialPoint> special;  // in order along the locus
-  std::vector<LocusZero> zeros;            // by test, of each in order along the locus
+  std::vector<LocusZero> zeros;            // by test, for each in order along the locus
   std::array<LocusEnd, 2> ends{LocusEnd::kNotConverged, LocusEnd::kNotConverged};
   long long evaluations = 0;  // of F
   long long rejected = 0;     // steps refused
@@ -114,14 +115,14 @@ struct LocusOptions {
   double residual_tolerance = 1e-11;   // likewise; of F, and of the test, which is of order 1
   int max_points = kMostBranchPoints;  // in each direction
   StopSignal stop{};
-  // Asked of the ends of every step; false: it is too long to show what happens within. Empty: none
-  // is.
+  // Called with the ends of every step; false: it is too long to show what happens within it.
+  // Empty: no step is.
   std::function<bool(const LocusPoint& from, const LocusPoint& to)> resolves{};
-  // Asked of every new point and the one before it; false ends the locus there. Empty: go on.
+  // Called with every new point and the previous one; false ends the locus there. Empty: goes on.
   std::function<bool(const LocusPoint& previous, const LocusPoint& here)> proceed{};
-  // Functions that are smooth along the locus, as many at every point, which has its critical
-  // multipliers only; where one passes zero is located. Nothing where they are not known. Empty
-  // function: none.
+  // Functions that are smooth along the locus, the same number at every point; their zeros are
+  // located. The points passed have only their critical multipliers. Returns nullopt when the
+  // values are not known. Empty function: no tests.
   std::function<std::optional<Vector>(const LocusPoint& point)> tests{};
 };
 

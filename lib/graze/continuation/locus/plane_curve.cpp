@@ -14,11 +14,11 @@ namespace graze {
 namespace {
 
 constexpr double kDefaultStep = 0.02;  // of a range
-// A curve is upright where it moves this many times faster along p than along q: there q is a bad
-// choice of what to hold.
+// A curve is upright where it moves this many times faster along p than along q: q is then a bad
+// choice of the parameter to hold fixed.
 constexpr double kUpright = 10.0;
 
-// A point further away than this from where it was sought, in ranges, is not what was meant.
+// A point further away than this from where it was sought, in ranges, is another one.
 constexpr double kNearLocus = 0.2;
 
 double length_of(double from, double to) {
@@ -37,15 +37,15 @@ bool is_inside(const ContinuationOptions& options, const SolutionPoint& point) {
          });
 }
 
-// On the hyperplane through x normal to an axis, or to the curve where the equations at x say that
-// it runs.
+// The solution on the hyperplane through x normal to an axis, or to the direction of the curve by
+// the equations at x.
 std::optional<SolutionPoint> across(Corrector& corrector, const Vector& x, const Vector& normal) {
   std::optional<SolutionPoint> point = corrector.on_hyperplane(x, normal);
   if (point && point->rate() < 0.0) point->turn_round();
   return point;
 }
 
-// Of the range of which unknown a branch ended at, or crept up to, at a point.
+// The unknown on whose limit, or near it, a branch ended at a point.
 std::optional<Eigen::Index> limit_near(const std::vector<UnknownRange>& ranges,
                                        const SolutionPoint& point, double distance) {
   for (const UnknownRange& range : ranges) {
@@ -56,14 +56,14 @@ std::optional<Eigen::Index> limit_near(const std::vector<UnknownRange>& ranges,
   return {};
 }
 
-// Where several curves of the same equations cross on a limit these are singular, and no step leads
-// on to it: steps get shorter and shorter from about here, in units of the unknown; the points are
-// badly determined along the other curves. So end the tori of a doubled orbit where it shrinks into
-// the one that it doubled from.
+// Where several curves of the same equations cross on a limit these are singular, and no step
+// reaches it: steps get shorter and shorter from about this distance, in units of the unknown; the
+// points are badly determined along the other curves. The tori of a doubled orbit end in this way
+// where it shrinks into the orbit that it doubled from.
 constexpr double kCreeping = 1e-3;
 constexpr std::size_t kFewestCrept = 4;
 
-// Of the points that crept up to such an end (0 or 1) of the branch the last one stays.
+// Of the points that crept up to such an end (0 or 1) of the branch, keeps the last one.
 void drop_crept_points(const PlaneCurveProblem& problem, const Corrector& corrector, Branch& branch,
                        std::size_t end) {
   std::vector<SolutionPoint>& points = branch.points;
@@ -92,9 +92,9 @@ void drop_crept_points(const PlaneCurveProblem& problem, const Corrector& correc
     for (CriticalPoint& critical : branch.critical) critical.after -= dropped;
 }
 
-// Zeros of the tests, step by step. A value is taken once at each point, as seen from the one
-// before. Where both ends of a step have one sign, the cubic through them, with slopes from their
-// neighbours, says whether to look in between for a pair.
+// Finds the zeros of the tests, step by step. A value is computed once at each point, relative to
+// the previous one. Where both ends of a step have one sign, the cubic through them, with slopes
+// from their neighbours, decides whether to search for a pair of zeros in between.
 class TestZeroSearch {
  public:
   TestZeroSearch(const PlaneCurveProblem& problem, const ContinuationOptions& options,
@@ -126,7 +126,8 @@ class TestZeroSearch {
     return values && k < values->size() ? std::optional((*values)[k]) : std::nullopt;
   }
 
-  // By arclength at point i: of the parabola through it and its neighbours, at an end of the chord.
+  // Slope by arclength at point i: of the parabola through it and its neighbours, at an end of the
+  // chord.
   double slope(std::size_t i, Eigen::Index k) const {
     const bool before = i > 0 && k < count_at(i - 1);
     const bool behind = i + 1 < values_.size() && k < count_at(i + 1);

@@ -14,7 +14,7 @@ double excess(const std::vector<Eigenvalue>& multipliers, std::size_t j) {
   return std::abs(multipliers[j].value) - 1.0;
 }
 
-// Multipliers outside the unit circle by kind.
+// Numbers of multipliers outside the unit circle by kind.
 struct OutsideCount {
   int flipped = 0;  // real, below -1
   int grown = 0;    // real, above 1
@@ -33,24 +33,23 @@ OutsideCount count_outside(const std::vector<Eigenvalue>& multipliers) {
 }
 
 // Whether these changes are those of one crossing, or of a pair that meets outside the circle and
-// parts on the real axis, or the other way round.
+// separates on the real axis, or the reverse.
 bool is_single(int flipped, int grown, int pairs) {
   if (std::abs(flipped) + std::abs(grown) + std::abs(pairs) == 1) return true;
   return (flipped == -2 * pairs && grown == 0 && std::abs(pairs) == 1) ||
          (grown == -2 * pairs && flipped == 0 && std::abs(pairs) == 1);
 }
 
-// Crossings in one step are told apart down to 2^-30 of it; nearer than that each is still found by
+// Crossings in one step are separated down to 2^-30 of it; nearer than that each is still found by
 // its own modulus.
 constexpr int kMostCrossingHalvings = 30;
-// Where multipliers jump within a step every part of it asks to be divided. A jump takes two parts
-// a halving, and a dozen crossings as many each; more is noise.
+// Limit on the divisions of a step: where multipliers jump every part of it would be divided. A
+// jump takes two parts a halving, and a dozen crossings as many each; more is noise.
 constexpr int kMostDivisions = 1000;
-// Next to grazing one large multiplier runs through the whole real line within a step, and all
-// others change places where it passes the unit circle, in a part of the step as small as the
-// circle is beside it. The trace is smooth and runs with it: on the scale asinh(trace), which
-// counts factors of e far out and units near zero, a piece that holds no unseen crossing changes by
-// less than this.
+// Next to grazing one large multiplier passes through the whole real line within a step, and all
+// others exchange their places in the order where it passes the unit circle, in a very small part
+// of the step. The trace is smooth and follows it: on the scale asinh(trace), which counts factors
+// of e far out and units near zero, a piece without unseen crossings changes by less than this.
 constexpr double kLargestChange = 0.5;
 // The others stay where they are, to a part of this inverse, while the large one is this many times
 // as far out as all of them on the circle would add up to: what it does there hides no crossing.
@@ -63,8 +62,8 @@ double trace_scale(const std::vector<Eigenvalue>& multipliers) {
   return std::asinh(std::clamp(trace, -most, most));
 }
 
-// The part of a piece, whose ends lie at these values of the scale, after which half of the change
-// is done, as the trace runs evenly; not too near to either end.
+// The part of a piece, whose ends have these values of the scale, after which half of the change
+// has happened for a trace with constant rate; not too near to either end.
 double halfway(double from, double to) {
   const double start = std::sinh(from), change = std::sinh(to) - start;
   return std::clamp((std::sinh(0.5 * (from + to)) - start) / change, 1.0 / 64.0, 63.0 / 64.0);
@@ -85,9 +84,9 @@ std::vector<Eigenvalue> CircleCrossings::multipliers_of(const SolutionPoint& poi
   return problem_.multipliers(point.u, point.parameters(), errors);
 }
 
-// Divides the piece from a to b until each part holds one crossing at most, and locates that.
-// Crossings may add up to the changes of a single one: the pieces on either side of what was
-// located are looked at again.
+// Divides the piece from a to b until each part holds at most one crossing, and locates that.
+// Several crossings may add up to the changes of a single one: the pieces on either side of a
+// located crossing are checked again.
 void CircleCrossings::divide(const SolutionPoint& a, const SolutionPoint& b, int halvings) {
   if (stop_.requested() || ++divisions_ > kMostDivisions) return;
   const OutsideCount at_a = count_outside(a.multipliers), at_b = count_outside(b.multipliers);
@@ -120,19 +119,19 @@ void CircleCrossings::divide(const SolutionPoint& a, const SolutionPoint& b, int
   }
 }
 
-// Whether the j-th modulus is known to differ from 1: where a multiplier sits on the circle, as
-// those of a structure that loses no energy do, what its modulus passes is rounding.
+// Whether the j-th modulus is known to differ from 1: for multipliers on the circle, as those of a
+// structure without damping, its crossings are rounding.
 bool CircleCrossings::is_off_circle(const SolutionPoint& point, std::size_t j) const {
   const std::vector<Eigenvalue> multipliers = multipliers_of(point);
   return j < multipliers.size() && std::abs(excess(multipliers, j)) > multipliers[j].error;
 }
 
-// Where the j-th modulus passes 1 between a and b; nothing where it cannot be located.
+// Where the j-th modulus passes 1 between a and b; nullopt when it cannot be located.
 std::optional<SolutionPoint> CircleCrossings::add_crossing(const SolutionPoint& a,
                                                            const SolutionPoint& b, std::size_t j) {
   const bool leaves = is_off_circle(a, j), arrives = is_off_circle(b, j);
   if (!leaves && !arrives) return {};
-  // Two real multipliers that meet on the circle stay on it: no modulus says where.
+  // Two real multipliers that meet on the circle stay on it: moduli do not locate that.
   if (leaves != arrives && (leaves ? a : b).multipliers[j].value.imag() == 0.0)
     return add_meeting(a, b);
   std::optional<SolutionPoint> point = locate(corrector_, a, b, [&](const SolutionPoint& p) {
@@ -144,7 +143,7 @@ std::optional<SolutionPoint> CircleCrossings::add_crossing(const SolutionPoint& 
   if (j >= point->multipliers.size()) return {};
   Eigenvalue critical = point->multipliers[j];
   const bool complex = critical.value.imag() != 0.0;
-  // Of a pair that with the positive imaginary part is named.
+  // Of a pair the multiplier with the positive imaginary part is stored.
   if (complex && critical.value.imag() < 0.0) critical.value = std::conj(critical.value);
   if (complex || critical.value.real() < 0.0)
     found_.push_back(
@@ -152,7 +151,7 @@ std::optional<SolutionPoint> CircleCrossings::add_crossing(const SolutionPoint& 
   return point;
 }
 
-// Where a multiplier is -1, by the function that passes zero there however it goes on.
+// Where a multiplier is -1, by a function that passes zero there in either case.
 std::optional<SolutionPoint> CircleCrossings::add_meeting(const SolutionPoint& a,
                                                           const SolutionPoint& b) {
   std::optional<SolutionPoint> point = locate(corrector_, a, b, [&](const SolutionPoint& p) {
@@ -171,8 +170,8 @@ std::optional<SolutionPoint> CircleCrossings::add_meeting(const SolutionPoint& a
   return point;
 }
 
-// The point of the branch s ahead of another one, between a and b, its multipliers with it; nothing
-// where these cannot be computed.
+// The point of the branch s ahead of another one, between a and b, with its multipliers; nullopt
+// when these cannot be computed.
 std::optional<SolutionPoint> CircleCrossings::known_between(const SolutionPoint& from, double s,
                                                             const SolutionPoint& a,
                                                             const SolutionPoint& b) {

@@ -20,8 +20,8 @@ namespace {
 // Branch points as regular solutions of a larger system.
 //
 // At a branch point dF/dx (n x (n + 1)) has rank n - 1, and next to it the branch itself is badly
-// determined along the one that crosses. With borders b (n) and C (2 x (n + 1)) that span what is
-// missing,
+// determined along the one that crosses. With borders b (n) and C (2 x (n + 1)) that span the
+// missing directions,
 //
 //   [dF/dx, b; C, 0] [V; g] = [0; I],      F + m b = 0,   g(x) = 0
 //
@@ -40,10 +40,9 @@ struct Singularity {
   Matrix slope;  // dg/dx, 2 x (n + 1)
 };
 
-// g at x and its derivative. With [w^T, h^T] [dF/dx, b; C, 0] = (0, 1) the latter is
-// -w^T F_xx V. Its second derivatives are differences: they only lead to the solution, and what
-// decides on it is free of them. Their step balances the rounding of dF/dx against its third
-// derivative.
+// g at x and its derivative. With [w^T, h^T] [dF/dx, b; C, 0] = (0, 1) the latter is -w^T F_xx V.
+// Its second derivatives are differences: they only lead to the solution, which does not depend on
+// them. Their step balances the rounding of dF/dx against its third derivative.
 std::optional<Singularity> singularity(Corrector& corrector, const Vector& x, const Matrix& slope,
                                        const NullSpaces& borders) {
   const Eigen::Index n = slope.rows();
@@ -69,8 +68,8 @@ std::optional<Singularity> singularity(Corrector& corrector, const Vector& x, co
   return result;
 }
 
-// The branch point near a guess, as x = (u, parameter/range). Nothing where Newton's method does
-// not converge.
+// The branch point near a guess, as x = (u, parameter/range). Returns nullopt when Newton's method
+// does not converge.
 std::optional<Vector> crossing_near(Corrector& corrector, const Vector& guess) {
   const Eigen::Index n = guess.size() - 1;
   Vector x = guess;
@@ -90,7 +89,7 @@ std::optional<Vector> crossing_near(Corrector& corrector, const Vector& guess) {
     Vector target(n + 2);
     target << -at->residual - unfolding * borders->left.col(0), -singular->value;
     const Vector step = LuFactors(jacobian).solve(target);
-    // The unfolding, in units of F, enters linearly: it is right where x is.
+    // The unfolding, in units of F, enters linearly: it is accurate when x is.
     const double size = step.head(n + 1).norm();
     if (!step.allFinite() || (size > 0.5 * last && size > kCriticalSettled)) return {};
     x += step.head(n + 1);
@@ -101,12 +100,12 @@ std::optional<Vector> crossing_near(Corrector& corrector, const Vector& guess) {
   return {};
 }
 
-// Halvings of a piece between samples that a branch point lies in, to a step as short as the
-// tracer passes one with.
+// Halvings of a piece between samples that contains a branch point, down to the step with which the
+// tracer passes one.
 constexpr int kMostCriticalHalvings = 30;
 
-// Next to a pole samples are this part of a step away from it, 2^-n: a residue that is smaller
-// beside the others moves a multiplier through the circle within less.
+// Next to a pole samples are this part of a step away from it, 2^-n: a multiplier with a smaller
+// residue passes the circle within less.
 constexpr int kPoleHalvings = 20;
 
 std::optional<Eigenvalue> nearest_to_one(const std::vector<Eigenvalue>& multipliers) {
@@ -147,8 +146,8 @@ class CriticalSearch {
     return problem_.multipliers(point.u, point.parameters(), ErrorBounds::kGiven);
   }
 
-  // What is kept of a branch that was stopped is kept with the crossings that its points show:
-  // after the stop one location each, for so long.
+  // A branch that was stopped is kept with the crossings that its points show: after the stop one
+  // location each, for a limited time.
   void add_crossings(std::size_t i) {
     constexpr std::chrono::milliseconds kGrace{500};
     const std::size_t known = branch_.critical.size();
@@ -170,7 +169,8 @@ class CriticalSearch {
     return corrector_.ahead(branch_.points[critical.after], critical.point);
   }
 
-  // Where all points have the same multipliers, the points between them that show how these move.
+  // Where all points have the same number of multipliers, finds points between them that show how
+  // these move.
   void find_samples() {
     const std::vector<SolutionPoint>& points = branch_.points;
     const std::size_t count = points.front().multipliers.size();
@@ -183,7 +183,7 @@ class CriticalSearch {
       for (std::size_t i = 0; i + 1 < points.size() && !stop_.requested(); ++i) add_beside_poles(i);
   }
 
-  // Samples on either side of where a multiplier has a pole within step i.
+  // Adds samples on either side of poles of a multiplier within step i.
   void add_beside_poles(std::size_t i) {
     const SolutionPoint &a = branch_.points[i], &b = branch_.points[i + 1];
     const auto poles_at = [this](const SolutionPoint& p) {
@@ -214,7 +214,7 @@ class CriticalSearch {
     }
   }
 
-  // Step i from sample to sample.
+  // Visits the pieces of step i between samples.
   template <class Visit>
   void for_each_piece(std::size_t i, const Visit& visit) const {
     const SolutionPoint* last = &branch_.points[i];
@@ -227,8 +227,8 @@ class CriticalSearch {
   }
 
   // The tracer passes a branch point with a step so short (1e-6) that the determinant is linear
-  // over it; between samples it is halved until it is as short. That is where to look for the
-  // branch point itself: the ends of the step are badly determined along the branch that crosses.
+  // over it; between samples the piece is halved until it is as short. The branch point itself is
+  // searched for there: the ends of the step are badly determined along the branch that crosses.
   void add_branch_point(SolutionPoint a, SolutionPoint b, std::size_t i) {
     for (int halving = 0;
          halving < kMostCriticalHalvings && !stop_.requested() &&
@@ -262,9 +262,9 @@ class CriticalSearch {
     branch_.critical.push_back(std::move(found));
   }
 
-  // Where a branch meets another one at its own turning point (a pitchfork seen from the side that
-  // branches off), the fold is that branch point; so near to it tangents are lost in rounding and
-  // show several.
+  // Where a branch meets another one at its own turning point (a pitchfork seen from the branch
+  // that bifurcates), the fold is that branch point; tangents near it are lost in rounding and show
+  // several folds.
   void drop_folds_at_branch_points() {
     std::vector<Vector> crossings;
     for (const SolutionPoint& point : branch_.points)

@@ -14,25 +14,24 @@
 namespace graze {
 namespace {
 
-// Where a piece is asked whether it is clear, evenly spaced within it.
+// Number of evenly spaced places within a piece at which it is checked.
 constexpr int kSamples = 7;
-// The fourth derivative within a piece is at most this many times what the divided differences
-// beside it say.
+// Bound on the fourth derivative within a piece, in multiples of the divided differences beside it.
 constexpr double kVariation = 4.0;
-// A step is divided into this many pieces at most, none shorter than 2^-30 of it: crossings there
-// and back that are nearer to one another are one in what arclength resolves of their position.
+// A step is divided into this many pieces at most, none shorter than 2^-30 of it: opposite
+// crossings that are nearer to one another coincide within the resolution of arclength.
 constexpr int kMostPieces = 200;
 constexpr double kShortestPiece = 0x1p-30;
-// A piece whose ends differ in sign holds one change where the cubic has one and is known to this
-// part of the larger end.
+// A piece whose ends differ in sign holds one change if the cubic has one and its error is below
+// this part of the larger end.
 constexpr double kKnown = 0.5;
 
 // Multipliers within a factor of kApart from the unit circle move by less than this over a piece:
-// it is what they have to be apart for the points around a piece to show how they interact.
+// the points around a piece show the interaction of multipliers that are farther apart than that.
 constexpr double kLargestMove = 0.15;
 constexpr double kApart = 2.0;
 
-// How far the multiplier that moved most is from any that it may have come from.
+// Largest distance of a multiplier from the nearest one that it may have come from.
 double moved_from(const std::vector<Eigenvalue>& from, const std::vector<Eigenvalue>& to) {
   double most = 0.0;
   for (const Eigenvalue& m : from) {
@@ -55,11 +54,11 @@ struct Node {
   double at = 0.0;  // arclength from the start of the branch
   const SolutionPoint* point = nullptr;
   CrossingTests tests;
-  std::size_t step = 0;  // that it lies in; of a point of the branch that after it
+  std::size_t step = 0;  // the step it lies in; for a point of the branch the step after it
 };
 
-// The course of one test near a piece: the nodes around it, from its start on, and the values there
-// relative to the largest.
+// The values of one test near a piece: the nodes around it, counted from its start, and the values
+// there relative to the largest.
 struct SampledTest {
   std::vector<double> at, value;
   std::size_t first = 0;  // the piece lies between nodes first and first + 1
@@ -79,7 +78,7 @@ struct Estimate {
   double value = 0.0, error = 0.0;
 };
 
-// The cubic through four nodes around the piece and what it may miss, at evenly spaced places.
+// The cubic through four nodes around the piece and its error, at evenly spaced places.
 class CubicInterpolant {
  public:
   explicit CubicInterpolant(const SampledTest& sampled) : sampled_(sampled) {
@@ -92,8 +91,9 @@ class CubicInterpolant {
         fourth_ = std::max(fourth_, std::abs(divided_difference(sampled, from, 5)));
   }
 
-  // From one of the nodes on, `ahead` (1 or -1), the cubic's error grows at once: how far away the
-  // parabola there, turned towards zero by that error, is lowest. `sign`: of the value there.
+  // Beside a node, in direction `ahead` (1 or -1), the cubic's error grows linearly: the distance
+  // at which the parabola there, bent towards zero by that error, is lowest. `sign`: of the value
+  // there.
   double lowest_beside(std::size_t node, double ahead, double sign) const {
     const double s = sampled_.at[node];
     const double x = s - sampled_.at[start_], y = s - sampled_.at[start_ + 1],
@@ -123,12 +123,12 @@ class CubicInterpolant {
   double fourth_ = 0.0;
 };
 
-// Where a piece is in doubt, and by how much.
+// Where a change of sign is suspected in a piece, and how strongly.
 struct SuspectedChange {
   double ahead = 0.0, size = 0.0;  // from the start of the piece
 };
 
-// The piece between node `first` and the next, whose ends have one sign: where the cubic comes
+// For the piece between node `first` and the next, whose ends have one sign: where the cubic comes
 // nearest to the other sign within its error.
 std::optional<SuspectedChange> suspected_return(const CubicInterpolant& cubic, std::size_t first,
                                                 double length, double sign) {
@@ -145,7 +145,8 @@ std::optional<SuspectedChange> suspected_return(const CubicInterpolant& cubic, s
   return worst;
 }
 
-// The piece's ends differ in sign: whether the cubic is known well enough to change once only.
+// For a piece whose ends differ in sign: whether the cubic is accurate enough to exclude more
+// changes.
 std::optional<SuspectedChange> suspected_change(const CubicInterpolant& cubic, double length,
                                                 double start, double end) {
   const double allowed = kKnown * std::max(std::abs(start), std::abs(end));
@@ -161,7 +162,7 @@ std::optional<SuspectedChange> suspected_change(const CubicInterpolant& cubic, d
   return SuspectedChange{0.5 * length, std::max(error, allowed)};
 }
 
-// Where a test may have changed sign and changed it back within the piece; nothing where it cannot.
+// Where a test may have changed sign and back within the piece; nullopt when it cannot have.
 std::optional<SuspectedChange> suspected_sign_change(const SampledTest& sampled) {
   const double length = sampled.at[sampled.first + 1];
   if (sampled.at.size() < 5) return SuspectedChange{0.5 * length, 1.0};
@@ -215,13 +216,13 @@ class SampleSearch {
     ahead_.pop_back();
   }
 
-  // Puts a node into the piece between the last one passed and the next; false where it is clear or
-  // cannot be divided.
+  // Puts a node into the piece between the last one passed and the next; false when the piece is
+  // clear or cannot be divided.
   bool divide() {
     const Node &a = passed_.back(), &b = ahead_.back();
     const std::size_t step = a.step;
     std::optional<SuspectedChange> worst;
-    // Where two multipliers change places, those at the ends look as if they had not moved; but
+    // Where two multipliers exchange places, those at the ends look as if they had not moved; but
     // they go on at the rate of the last piece.
     const double move = std::max(moved(*a.point, *b.point), rate_ * (b.at - a.at));
     if (move > kLargestMove) worst = SuspectedChange{0.5 * (b.at - a.at), 1.0};

@@ -5,9 +5,9 @@
 namespace graze {
 namespace {
 
-// c of the header: factors that differ from zero by more do not matter. Multipliers interact over
-// distances of the size of their damping, a few hundredths; this is well above that, and well below
-// the 1 or 2 that separate multipliers at large.
+// c of the header: factors that differ from zero by more have little effect. Multipliers interact
+// over distances of the size of their damping, a few hundredths; this is well above that, and well
+// below the usual distances of 1 or 2.
 constexpr double kNearCrossing = 0.5;
 
 // Multiplies a test by g of a factor with this squared modulus.

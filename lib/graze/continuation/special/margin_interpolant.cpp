@@ -7,10 +7,10 @@
 namespace graze {
 namespace {
 
-// The size of a cubic's error, in parts of its bend.
+// The size of a cubic's error, relative to its deviation from the chord.
 constexpr double kError = 0.25;
 
-// The part of a change, or of the rates, that the mean of the rates may leave of it.
+// Part of a change, or of the rates, by which the change may differ from the mean of the rates.
 constexpr double kShown = 0.25;
 
 using Cubic = std::array<double, 4>;
@@ -35,7 +35,7 @@ std::vector<double> extrema(const Cubic& c, double from, double to) {
   return list;
 }
 
-// Where it changes sign within (from, to), to some 1e-9 of the piece: only places to look at.
+// Zeros within (from, to), to some 1e-9 of the piece: only places to search at.
 std::vector<double> zeros(const Cubic& c, double from, double to) {
   std::vector<double> ends = extrema(c, from, to), list;
   ends.insert(ends.begin(), from);
@@ -68,7 +68,7 @@ Smallest smallest_at(const std::vector<MarginInterpolant>& interpolants, double 
   return smallest;
 }
 
-// A stretch on which the smallest keeps its sign, and where it is farthest from zero.
+// A stretch on which the smallest quantity keeps its sign, and where it is farthest from zero.
 struct Run {
   bool positive = false;
   double depth = 0.0, place = 0.0;
@@ -105,12 +105,12 @@ std::vector<Run> runs_of(const std::vector<MarginInterpolant>& interpolants) {
   return runs;
 }
 
-// Whether the smallest, next to an extremum of it, may reach zero there all the same.
+// Whether the smallest quantity may reach zero next to one of its extrema.
 bool may_reach_zero(const std::vector<MarginInterpolant>& interpolants,
                     const MarginInterpolant& interpolant, double s, double more_error = 0.0) {
   const Smallest smallest = smallest_at(interpolants, s);
   const double size = std::abs(interpolant.at(s));
-  // What lies beyond the smallest does not matter.
+  // Only the smallest quantity matters.
   if (smallest.value < interpolant.at(s) - interpolant.error(s)) return false;
   return size > interpolant.rounding && size <= interpolant.error(s) + more_error;
 }
@@ -172,13 +172,13 @@ std::optional<double> suspected_sign_change(const std::vector<MarginInterpolant>
     if (runs[i].known) return runs[i].place;
   for (const MarginInterpolant& interpolant : interpolants) {
     for (const double s : extrema(interpolant.coefficients, interpolant.from, interpolant.to)) {
-      // Least where positive, largest where negative: those that come nearest to zero.
+      // Minima where positive, maxima where negative: those that come nearest to zero.
       const double curvature =
           2.0 * interpolant.coefficients[2] + 6.0 * interpolant.coefficients[3] * s;
       if (curvature * interpolant.at(s) > 0.0 && may_reach_zero(interpolants, interpolant, s))
         return s;
     }
-    // Where one grows into another that falls, the smaller of both is largest.
+    // Where a growing quantity meets a falling one, the smaller of both is largest.
     for (const MarginInterpolant& other : interpolants) {
       if (&other <= &interpolant) continue;
       Cubic difference;

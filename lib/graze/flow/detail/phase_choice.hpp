@@ -1,4 +1,4 @@
-// Which of the phases a motion is in.
+// Chooses the class that follows a phase of the motion.
 #pragma once
 
 #include <memory>
@@ -9,9 +9,9 @@
 
 namespace graze {
 
-// `steps`: the motion is integrated step by step; absent: it is exact but on springs and hubs.
-// `angle`: of a joint that is held, rad. The 50-digit phases know neither steps nor springs nor
-// hubs: a system that has them is not given to them.
+// `steps`: the motion is integrated step by step; absent: it is exact except on springs and hubs.
+// `angle`: of a joint that is held, rad. The 50-digit phases support neither steps nor springs nor
+// hubs; systems with these must not be passed to them.
 template <class Real>
 std::unique_ptr<ContactPhase<Real>> make_contact_phase(const System& system, const PhaseKey& key,
                                                        const std::optional<StepSetting>& steps = {},

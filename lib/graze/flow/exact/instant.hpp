@@ -13,20 +13,20 @@ struct Instant {
   Real local = 0;        // s since the start of that period, in [0, T)
 };
 
-// Of instants in whatever scalars.
+// Compares instants of any two scalar types.
 template <class A, class B>
 bool not_before(const Instant<A>& a, const Instant<B>& b) {
   return a.period > b.period || (a.period == b.period && a.local >= b.local);
 }
 
-// s since t = 0.
+// Time since t = 0, s.
 template <class Real>
 Real seconds_at(const Instant<Real>& instant, const Real& period) {
   return instant.period == 0 ? instant.local
                              : Real(static_cast<Real>(instant.period) * period + instant.local);
 }
 
-// `seconds` >= 0 later, where forcing periods last `period` seconds.
+// The instant `seconds` >= 0 later, for forcing periods of `period` seconds.
 template <class Real>
 Instant<Real> later(const Instant<Real>& from, const Real& seconds, const Real& period) {
   using std::floor;

@@ -1,4 +1,4 @@
-// All that a motion needs to go on from an instant: its state and how every stop stands to it.
+// All that a motion needs to go on from an instant: its state and the contact at every stop.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace graze {
 
-// How the joint of a hub with Coulomb friction stands; without friction it is free.
+// State of the joint of a hub with Coulomb friction; without friction it is free.
 enum class Joint { kFree, kForward, kBackward, kHeld };
 
-// How a stop stands to the structure at one instant.
+// The contact between a stop and the structure at one instant.
 enum class Contact {
   kClear,       // gap > 0
-  kTouching,    // on the stop, and what follows is still to be decided
+  kTouching,    // on the stop; whether it separates or presses is not yet decided
   kDeparting,   // on the stop, leaving
   kClosed,      // held on the stop by its contact force
   kLocked,      // on the stop because other, closed stops keep it there; on a compliant one
@@ -23,13 +23,14 @@ enum class Contact {
   kParted       // beyond it, but its force is gone
 };
 
-// In place of the multiplicity of a zero that no derivative tells, because springs press as powers
-// of time that are not whole, or high: the motion tells it (WalkingFlow::tells). Of a contact force
-// that holds the structure since this instant, of one that did before, and of a gap.
+// These stand for the multiplicity of a zero that no derivative shows, because springs press as
+// powers of time that are not whole, or high: the motion itself decides (WalkingFlow::tells). For a
+// contact force that holds the structure since this instant, for one that held it before, and for a
+// gap.
 inline constexpr int kHeldUntold = 1;
 inline constexpr int kHeldBeforeUntold = 2;
 inline constexpr int kLeftUntold = 5;
-// The contact force of what nothing moves stays zero.
+// The contact force of a structure that nothing moves: it stays zero.
 inline constexpr int kHeldIdle = 3;
 
 // What a motion needs to go on from an instant as if it had never stopped there.
@@ -38,11 +39,11 @@ struct MotionState {
   Instant<Real> instant;
   RealVector<Real> q, qdot;
   std::vector<Contact> contacts;  // one per stop
-  // Of the zero at the instant, one per stop: of the gap, or beyond a surface of the force's grip;
-  // of the contact force of a closed stop 0 but where the motion has to tell it.
+  // Multiplicity of the zero at the instant, one per stop: of the gap, or beyond a surface of the
+  // force's grip; for the contact force of a closed stop 0, or one of the constants above.
   std::vector<int> multiplicities;
-  // The speed left in a shared chatter that could not be summed, m/s; 0: there was none. It is
-  // looked at again at half of it.
+  // The remaining speed of a shared chatter that could not be summed, m/s; 0: there was none. The
+  // sum is tried again at half of it.
   Real unsummed = 0;
   Joint joint = Joint::kFree;  // of a hub with friction
 };

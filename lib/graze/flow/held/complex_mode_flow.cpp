@@ -75,7 +75,7 @@ Complex ComplexModeArc::add_to(ArcCurve<double>& curve, const Vector& weight) co
     const Complex share =
         (l.imag() > 0.0 ? 2.0 : 1.0) * weight.cast<Complex>().dot(flow.vectors_.col(k));
     const Complex c = share * amplitude_[k];
-    // Growth within the rounding of the eigenvalue is none.
+    // Growth within the rounding of the eigenvalue counts as none.
     curve.add_exponential({c.real(), c.imag()}, std::max(-l.real(), 0.0), l.imag(),
                           std::abs(share) * formed_from_[k]);
   }

@@ -15,7 +15,7 @@ bool proportional_damping(const System& system) {
 
 CoupledSystem couple(ConstrainedStructure<double>& held) {
   const Eigen::Index n = held.rows.rows(), m = held.size();
-  // Left inverse of the basis that knows nothing of the directions: Z^T U = I, Z^T D = 0.
+  // Left inverse of the basis that is orthogonal to the directions: Z^T U = I, Z^T D = 0.
   Matrix whole(n, n);
   whole << held.basis, held.directions;
   const Matrix left = LuFactors(whole).inverse().topRows(m);
@@ -26,7 +26,7 @@ CoupledSystem couple(ConstrainedStructure<double>& held) {
     coupled.load = held.balanced_load();
   } else {
     held.left = left;
-    // From w U, that soft and free directions see nothing of the rounding of stiff ones.
+    // Formed from w U, so that the rounding of stiff directions does not reach soft and free ones.
     coupled.stiffness = left * held.whole.omega.asDiagonal() * held.stretched;
     coupled.load = -left * held.whole.omega.cwiseAbs2().cwiseProduct(held.rest);
     if (held.whole.load.size() > 0) coupled.load += left * held.whole.load;

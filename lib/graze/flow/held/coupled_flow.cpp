@@ -49,9 +49,9 @@ CoupledFlow::CoupledFlow(const CoupledSystem& system)
   split(apart->parts, std::max(scale_.maxCoeff(), system.frequency));
 }
 
-// Decompositions err by eps times the quickest rate, and would set a stop moving that is at rest.
-// So the basis is rebuilt with velocities as the rates of displacements, (scale y)' = scale y', as
-// an identity, row by row from the half in which the rates leave rounding smaller.
+// Decompositions have an error of eps times the largest rate, which would move a stop that is at
+// rest. So the basis is rebuilt with velocities as the rates of displacements, (scale y)' = scale
+// y', as an identity, row by row from the half in which the rates leave rounding smaller.
 void CoupledFlow::split(const std::vector<GeneratorPart>& parts, double quickest) {
   const Eigen::Index n = whole_.load.size();
   std::vector<FirstOrderSystem> without_modes;

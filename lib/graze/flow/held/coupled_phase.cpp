@@ -28,7 +28,7 @@ void CoupledPhase::state(const double& s, Vector& q, Vector& qdot) const {
   qdot = structure().velocities(ydot);
 }
 
-// What of it goes by exponentials depends on the window.
+// Its matrix exponentials depend on the window.
 bool CoupledPhase::set_curve(ArcCurve<double>& curve, const Observable<double>& observable,
                              const double& window, bool from_zero) const {
   curve = arc_.curve(observable, window, from_zero);

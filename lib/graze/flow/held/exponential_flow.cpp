@@ -12,8 +12,8 @@ namespace {
 // Roundings in one term of a curve, as in the decoupled flow.
 constexpr double kExponentialRoundings = 8.0;
 
-// Norms know nothing of what an observable sees of the motion. Over a short reach h the derivatives
-// at hand bound the second one better,
+// Norms overestimate how much of the motion an observable sees. Over a short reach h the known
+// derivatives bound the second one better,
 //
 //   B(h) = |g^(2)| + |g^(3)| h + |g^(4)| h^2/2 + K_5 h^3/6,
 //
@@ -63,8 +63,8 @@ Vector ExponentialArc::change(double s) const {
   return exponential_change(extended_generator(flow_->system_, load_, s), start).topRows(z_.size());
 }
 
-// Each product of the series with its absolute value; beyond its range the exponential rounds by
-// its norms.
+// Sums the series with the absolute value of each product; beyond its range, the rounding of the
+// exponential is bounded by its norms.
 Vector ExponentialArc::change_size(double s) const {
   const FirstOrderSystem& system = flow_->system_;
   const Matrix sizes = extended_generator(system, load_, s).cwiseAbs();

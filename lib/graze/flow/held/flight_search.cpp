@@ -10,14 +10,14 @@
 namespace graze {
 namespace {
 
-// Derivatives of a series: over a step of some three radians of the quickest mode.
+// Order of the series, for steps of some three radians of the fastest mode.
 constexpr int kSearchOrder = 16;
-// Of the size of the motion, what the series may leave out over a step: enough for the search that
-// finishes to start within its ball.
+// Remainder that the series may have over a step, relative to the size of the motion: small enough
+// for the final search to start within its ball.
 constexpr double kGapLeftOut = 1e-5;
-// Where nothing is near for so long, in 1/rad of the quickest mode, a series is not worth it.
+// When no stop is near for this long, in 1/rad of the fastest mode, no series is formed.
 constexpr double kLeap = 4.0;
-// Part of a step to which the zero is approached before that.
+// How near the zero is approached before the final search, as a part of a step.
 constexpr double kSearchResolved = 1.0 / 1024.0;
 
 }  // namespace
@@ -38,8 +38,8 @@ FlightSearch::FlightSearch(const System& system, const LinearSystem<double>& mod
   if (modes.load.size() > 0) push_ += modes.load.norm();
 }
 
-// Until when a gap cannot be bridged: |b| (v t + f t^2/2) <= gap, since sqrt(2 E) grows by |f| a
-// second at most.
+// Until when a gap cannot be crossed: |b| (v t + f t^2/2) <= gap, since sqrt(2 E) grows by at most
+// |f| per second.
 double FlightSearch::reached(double from, double gap, double norm, double speed) const {
   if (!(gap > 0.0)) return from;
   const double way = gap / norm;  // of the modal coordinates
@@ -47,7 +47,7 @@ double FlightSearch::reached(double from, double gap, double norm, double speed)
   return from + 2.0 * way / (speed + std::sqrt(speed * speed + 2.0 * push_ * way));
 }
 
-// Less than its rounding.
+// The gap less its rounding error.
 double FlightSearch::gap(int stop) const {
   const double rounding = static_cast<double>(q_.size() + 2) *
                           std::numeric_limits<double>::epsilon() *
@@ -112,7 +112,7 @@ Arrival<double> FlightSearch::first_event(const GapCurves& curves, const Arc<dou
   }
 }
 
-// Until when no speed can bridge any of the gaps.
+// Until when none of the gaps can be crossed at the largest possible speed.
 double FlightSearch::bridged(double from) {
   const double speed = std::hypot(qdot_.norm(), omega_.cwiseProduct(q_).norm());
   double soonest = std::numeric_limits<double>::infinity();
@@ -134,7 +134,7 @@ void FlightSearch::step(const GapCurves& curves, const Arc<double>& arc, double&
   const double until = from + step;
   for (Watched& watched : watched_)
     if (watched.clear < until) look(watched, from, step);
-  // From the nearest on: what it meets ends the flight of the others.
+  // The nearest stop first: its contact ends the search at the others.
   std::sort(watched_.begin(), watched_.end(),
             [](const Watched& a, const Watched& b) { return a.clear < b.clear; });
   for (Watched& watched : watched_) {

@@ -20,8 +20,8 @@ double certain_growth(const Matrix& generator) {
   return growth;
 }
 
-// What is remembered, asked for last first. Numbers are compared by their bits, so that what is
-// found again is what would be found anew.
+// The cache, latest first. Matrices are compared by their bits, so that a cached result is exactly
+// the one that would be computed anew.
 class Remembered {
  public:
   std::shared_ptr<const GeneratorParts> find(const Matrix& generator) {
@@ -35,7 +35,7 @@ class Remembered {
     return found->parts;
   }
 
-  // Two threads may have found the same: either is good.
+  // Two threads may have computed the same parts: either is good.
   void keep(const Matrix& generator, std::shared_ptr<const GeneratorParts> parts) {
     const std::lock_guard lock(mutex_);
     kept_.push_front({hash_of(generator), generator, std::move(parts)});
@@ -85,7 +85,7 @@ std::shared_ptr<const GeneratorParts> generator_parts(const Matrix& generator) {
   static auto& remembered = *new Remembered;
   if (auto parts = remembered.find(generator)) return parts;
   auto parts = std::make_shared<const GeneratorParts>(take_apart(generator));
-  // What was found while it was asked to stop may be less than could be known.
+  // Parts that were computed while it was asked to stop may be incomplete.
   if (!StopScope::current().requested()) remembered.keep(generator, parts);
   return parts;
 }

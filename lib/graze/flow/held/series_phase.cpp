@@ -18,14 +18,14 @@ namespace {
 // With this order a step goes over two to four radians of the quickest mode, and a coefficient
 // costs least for each.
 constexpr int kPhaseOrder = 24;
-// What a step leaves out of the motion, in parts of its size: nothing that its rounding would show.
+// Remainder of the series over a step, relative to the motion: below its rounding.
 constexpr double kMotionLeftOut = std::numeric_limits<double>::epsilon() / 4.0;
-// Of a step, first; then to the last digit.
+// How near a zero is approached as a part of a step; after that to the last digit.
 constexpr double kPhaseResolved = 1.0 / 1024.0;
 // Steps of one flight: longer ones are cut.
 constexpr std::size_t kMostSteps = 256;
-// More modes than that are not decomposed even where they are real and a decomposition serves for
-// all that follows.
+// With more modes than this the structure is not decomposed even where its modes are real and the
+// decomposition would serve for the rest of the motion.
 constexpr int kMostDecomposed = 400;
 
 constexpr double kEps = std::numeric_limits<double>::epsilon();
@@ -125,7 +125,8 @@ double SeriesPhase::force_rate(int stop) const {
   return series.forces()(column_of(stop), 1) / series.unit();
 }
 
-// Of a derivative of the gap at the start: an acceleration is a sum of the terms of its equation.
+// Rounding of a derivative of the gap at the start: an acceleration is a sum of the terms of its
+// equation.
 double SeriesPhase::gap_noise(int stop, int order) const {
   const auto row = rows_.col(stop).cwiseAbs();
   const Matrix& c = series_.coefficients();
@@ -149,7 +150,7 @@ CurvePoint<double> SeriesPhase::outlook(int stop, int order, const double& ahead
   const double unit = series.unit();
   const int column = column_of(stop);
   CurvePoint<double> point;
-  // What derivative k moves with, for so long.
+  // Bound on the size of derivative k over that time.
   const auto size = [&](int k) {
     double driven = 0.0;
     if (modes_.forced)
@@ -276,7 +277,7 @@ std::vector<double> SeriesPhase::step_ends(double until) const {
   for (std::size_t i = 0; i < steps_.size() && steps_[i].from < until; ++i) {
     const Step& step = steps_[i];
     const double to = i + 1 < steps_.size() ? std::min(steps_[i + 1].from, until) : until;
-    // Nobody has stepped beyond the last step that the search for an event took.
+    // The search for an event ended within its last step, so no later instant is asked for.
     const MotionSeries& series = about(step);
     const double pieces =
         std::ceil(2.0 * (to - step.from) / (series.step(kMotionLeftOut) * series.unit()));

@@ -11,7 +11,7 @@
 namespace graze {
 namespace {
 
-// Products and sums that an acceleration is formed by.
+// Number of roundings in forming an acceleration.
 constexpr double kSeriesRoundings = 8.0;
 
 }  // namespace
@@ -127,8 +127,7 @@ Matrix MotionSeries::velocities(std::span<const double> taus) const {
   return c_.rightCols(order_ + 1) * powers;
 }
 
-// A gap is a sum of N products, as GapValue has it; of what moves it each coefficient was formed by
-// a few more.
+// A gap is a sum of N products, as in GapValue; each higher coefficient has a few more roundings.
 BoundedSeries MotionSeries::gap(const Eigen::Ref<const Vector>& row, double norm, double gap,
                                 int multiplicity, double tau, std::vector<double>& storage) const {
   storage.resize(static_cast<std::size_t>(order_ + 1));
@@ -230,7 +229,7 @@ class ZeroSearch {
   ZeroSearch(const BoundedSeries& series, double tau, double resolved)
       : series_(series), least_(resolved * tau) {}
 
-  // Whether the stretch is clear; otherwise what was found is in `zero`.
+  // Returns whether the stretch is clear; otherwise `zero` is set.
   bool clear(const Stretch& stretch, SeriesZero& zero) const {
     if (stretch.least() > series_.noise + series_.noise_rate * stretch.to + left_out(stretch.to)) {
       zero.clear = stretch.to;

@@ -26,7 +26,7 @@ std::vector<Observable<double>> depths_of(const System& system, const PhaseKey& 
   return depths;
 }
 
-// A spring pushes the structure off what holds it.
+// A spring pushes the structure off the stops that hold it.
 std::vector<Observable<double>> observables_of(const System& system, const PhaseKey& key,
                                                const SprungEquations& given) {
   const ConstrainedStructure<double>& structure = given.structure;
@@ -64,7 +64,7 @@ CoupledSystem coupled_by_springs(const PhaseKey& key, const SprungEquations& giv
     coupled.stiffness += spring.law.stiffness * spring.acting * spring.row.transpose();
     coupled.damping += dashpot_of(spring.law) * spring.acting * spring.row.transpose();
   }
-  // What a coordinate would do by itself, springs included: so the first-order form is balanced.
+  // The frequency of each coordinate alone, springs included, balances the first-order form.
   const Vector quickest = coupled.stiffness.diagonal().cwiseMax(0.0).cwiseSqrt();
   const double slowest = std::max(sprung.frequency, 1e-3 * quickest.maxCoeff());
   coupled.scale = quickest.cwiseMax(slowest > 0.0 ? slowest : 1.0);
@@ -76,7 +76,7 @@ CoupledSystem coupled_by_springs(const PhaseKey& key, const SprungEquations& giv
 
 bool suits_linear_springs(const System& system, const PhaseKey& key) {
   if (system.modes() > kMostModesOnLinearSprings) return false;
-  // A structure that its stops hold altogether has nothing that moves.
+  // A structure that is held in all its coordinates does not move.
   if (static_cast<int>(key.closed.size()) >= system.modes()) return false;
   if (!key.springs.resting.empty() || !key.untold.empty()) return false;
   const std::vector<int> stops = key.springs.all();
@@ -102,12 +102,12 @@ LinearSpringPhase::LinearSpringPhase(const System& system, const PhaseKey& key,
   }
 }
 
-// Springs with dashpots lose energy; what else grows is held by an oblique law.
+// Springs with dashpots lose energy; growth can only come from an oblique law.
 std::string LinearSpringPhase::refusal() const {
   return closed().empty() ? std::string() : flow().instability();
 }
 
-// What an instant is asked for and the motion from there are one arc.
+// An arc at the same start serves both decisions at an instant and the motion from there.
 void LinearSpringPhase::start(const double& theta, const Vector& q, const Vector& qdot,
                               const double& /*time*/) {
   if (q_.size() > 0 && theta == theta_ && q == q_ && qdot == qdot_) return;
@@ -122,7 +122,7 @@ void LinearSpringPhase::start(const double& theta, const Vector& q, const Vector
   coupled_motion().start_from(theta, y, structure().rates(qdot), load_at(y));
 }
 
-// What the load, the stiffness and the springs do at the start.
+// The load, less the forces of stiffness and springs at the start.
 Vector LinearSpringPhase::load_at(const Vector& y) const {
   const Matrix& stiffness = equations_.stiffness;
   Vector load = equations_.load;
@@ -159,9 +159,9 @@ Arrival<double> LinearSpringPhase::first_event(const MotionState<double>& now,
   return arrival;
 }
 
-// The depth begins at zero where the spring has just been entered: at a speed, or from rest as a
-// power of time; its force does as the power below. Beyond the surface the force begins at zero
-// where it has just come back.
+// Where the spring has just been entered, the depth begins at zero: at a speed, or from rest as a
+// power of time, and so does its force, one power lower. Beyond the surface the force begins at
+// zero where it has just come back.
 void LinearSpringPhase::look_at_spring(std::size_t k, const MotionState<double>& now,
                                        const Flight<double>& flight,
                                        Arrival<double>& arrival) const {

@@ -12,9 +12,9 @@ Vector or_zero(const Vector& list, Eigen::Index n) {
   return list.size() > 0 ? list : Vector(Vector::Zero(n));
 }
 
-// What closed stops leave of a spring's row. Where they hold its depth that is nothing; its
-// rounding would be taken for a contact with hardly any mobility, and the units of the contact from
-// it.
+// The part of a spring's row that closed stops leave free. Where they hold its depth that is zero;
+// its rounding would otherwise look like a contact with hardly any mobility and set the units of
+// the contact.
 Vector left_of_row(const ConstrainedStructure<double>& structure, const Vector& row) {
   constexpr double kRoundings = 16.0;
   Vector left = structure.rates(row);
@@ -104,7 +104,7 @@ ForcesAtStart forces_at_start(const ConstrainedStructure<double>& structure,
                               double theta, const Vector& q, const Vector& qdot) {
   const LinearSystem<double>& free = structure.whole;
   const Vector stiffness = free.omega.cwiseAbs2();
-  // What closed stops leave of an acceleration.
+  // The part of an acceleration that closed stops allow.
   const auto held_back = [&](const Vector& acceleration) -> Vector {
     if (structure.is_free()) return acceleration;
     return acceleration - structure.directions * (structure.shares.transpose() * acceleration);

@@ -40,7 +40,7 @@ SprungPhase::SprungPhase(const System& system, const PhaseKey& key,
   integrate(steps);
 }
 
-// A spring pushes the structure off what holds it.
+// A spring pushes the structure off the stops that hold it.
 void SprungPhase::add_force_weights(const System& system) {
   for (std::size_t c = 0; c < structure_.constrained.size(); ++c) {
     const auto column = static_cast<Eigen::Index>(c);
@@ -53,7 +53,7 @@ void SprungPhase::add_force_weights(const System& system) {
   }
 }
 
-// An oblique law projects along other directions than it holds; what forces do is told before that.
+// An oblique law projects along other directions than it holds; powers are formed before that.
 void SprungPhase::add_powers(const System& system) {
   const Matrix& basis = structure_.basis;
   SprungSystem::Powers& powers = equations_.powers.emplace();
@@ -86,7 +86,7 @@ void SprungPhase::start(const double& theta, const Vector& q, const Vector& qdot
   depths_.clear();
   for (const int i : springs_) {
     const auto at = static_cast<std::size_t>(i);
-    // Of one at rest a depth within its error is kept.
+    // For a spring whose surface is touched at rest, a depth within its error is kept.
     const bool resting = equations_.springs[depths_.size()].resting;
     depths_.push_back(resting ? rows_[at].dot(q) - gaps_[at]
                               : depth_value<double>(rows_[at], q, gaps_[at]));
@@ -102,7 +102,7 @@ Vector SprungPhase::spring_push(const Vector& q, const Vector& qdot) const {
   return graze::spring_push(equations_, depths, qdot);
 }
 
-// s seconds after the start, without what holds.
+// The force s seconds after the start, without the contact forces of closed stops.
 Vector SprungPhase::force(double s, const Vector& q, const Vector& qdot) const {
   const LinearSystem<double>& free = structure_.whole;
   Vector sum = -2.0 * free.delta.cwiseProduct(qdot) - free.omega.cwiseAbs2().cwiseProduct(q);
@@ -131,8 +131,8 @@ double SprungPhase::force_rate(int stop) const {
          structure_.rows.col(column).squaredNorm();
 }
 
-// The depth begins at zero where the spring has just been entered: at a speed, or pushed. A grip
-// may begin at one wherever the spring is.
+// The depth begins at zero where the spring has just been entered: at a speed, or under a force. A
+// grip may begin at zero wherever the spring is.
 void SprungPhase::watch_springs(const MotionState<double>& now, const Flight<double>& flight,
                                 std::vector<Watched>& list) {
   for (std::size_t k = 0; k < springs_.size(); ++k) {

@@ -116,7 +116,7 @@ double TurningPhase::force_rate(int stop) const {
                               at.force_rate)[structure().column_of(stop)];
 }
 
-// A joint that stands still and is turned from now on leaves its zero as s or s^2.
+// A joint that is at rest and starts to rotate leaves zero as s or s^2.
 void TurningPhase::watch_joint(const MotionState<double>& /*now*/, std::vector<Watched>& list) {
   const TurningStructure& structure = turning().structure;
   if (key().joint == Joint::kForward || key().joint == Joint::kBackward) {

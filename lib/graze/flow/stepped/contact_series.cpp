@@ -9,9 +9,9 @@
 namespace graze::step_walk {
 namespace {
 
-// Coefficients that the length is told by: those of a motion with a symmetry vanish in between.
+// Coefficients that decide the length: those of a motion with a symmetry vanish in between.
 constexpr int kTelling = 6;
-// A contact takes 2.6 of t on a spring of Hertz; where nothing acts a series has no end.
+// A contact takes 2.6 of t on a Hertz spring; without forces a series has no end.
 constexpr double kLongest = 1e3;
 
 // The zero of a function that is not negative at `low` and not positive at `high`, or the reverse,
@@ -124,8 +124,8 @@ void ContactSeries::begin(const Sprung& rates, const State& z, double s, double 
   sizes_[row(kCosine)] = sizes_[row(kSine)] = 1.0 / (tolerance_ + roundings);
 }
 
-// What the coefficients so far add to those of t^k of the products, all but the last left factor
-// times the first right one.
+// Adds the known coefficients to those of t^k of the products, all but the last left factor times
+// the first right one.
 void ContactSeries::begin_products(int k) {
   for (Eigen::Index first = 0; first < left_.rows; first += kGroup) {
     Group sum = Group::Zero();
@@ -148,7 +148,7 @@ double ContactSeries::product(Eigen::Index factor, int k, double left) {
   return products_[factor] + left * right_.numbers(factor, 0);
 }
 
-// Of the force, N, and in `lost` of the power that its damping takes, over the square of the unit.
+// Coefficient k of the force, N; in `lost` that of the power of its damping, over the unit squared.
 double ContactSeries::force(int k, double* lost) {
   double powers[kMostPower + 1] = {};
   powers[1] = root_[static_cast<std::size_t>(k)];
@@ -220,16 +220,16 @@ void ContactSeries::integrate(int k) {
   root_[at + 1] = speed_[at] / (depth_ * frequency_ * (k + 1));
 }
 
-// Of the coefficients of t^k, each against what its row may err by; NaN where one is.
+// The largest coefficient of t^k, each relative to the error that its row may have; NaN if one is.
 double ContactSeries::size(int k) const {
   const double root = std::abs(root_[static_cast<std::size_t>(k)]) / tolerance_;
   const double rows = motion_.at(k).cwiseProduct(sizes_).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
   return std::isnan(rows) || rows > root ? rows : root;
 }
 
-// So far that the coefficients of the highest order, K, add what a step may err by; those left out
-// add a part of that, as they are smaller. Each of the last orders k tells the radius by which
-// sizes fall from the first, (c_0/c_k)^(1/k), and with it where those of order K add as much.
+// The length at which the terms of the highest order, K, equal the error that a step may have; the
+// remaining terms are smaller. Each of the last orders k gives the radius by which sizes fall from
+// the first, (c_0/c_k)^(1/k), and with it the length at which the terms of order K are that small.
 bool ContactSeries::measure() {
   length_ = kLongest;
   const double first = std::log(std::fmax(1.0, size(0)));
@@ -254,7 +254,7 @@ bool ContactSeries::expand(const Sprung& rates, const State& z, double s, double
 double ContactSeries::surface() const {
   double end = length_;
   if (!(root(end) <= 0.0)) {
-    // What falls at the start and rises at the end may have been below between them.
+    // A root that falls at the start and rises at the end may have been below zero between them.
     if (!(root_[1] < 0.0 && root_rate(end) > 0.0)) return 0.0;
     const auto rate = [&](double t) {
       double slope = 0.0;
@@ -270,7 +270,7 @@ double ContactSeries::surface() const {
 }
 
 double ContactSeries::instant(double seconds, double end) const {
-  // From the first two terms of the time.
+  // The first guess is from the first two terms of the time.
   const double passed = 0.5 * frequency_ * seconds;
   const double square = root_[0] * root_[0] + 2.0 * root_[1] * passed;
   const double guess = square > 0.0 ? 2.0 * passed / (root_[0] + std::sqrt(square)) : end;

@@ -12,8 +12,8 @@ using step_walk::ContactSeries;
 using step_walk::ExtrapolatedWalk;
 using step_walk::Sprung;
 
-// By series, from where a spring is entered at a speed or compressed to where its surface is
-// reached; by extrapolation where there is none, and beyond the surface.
+// Uses series from where a spring is entered at a speed, or is compressed, to where its surface is
+// reached; extrapolation where there is no series, and beyond the surface.
 class SeriesWalk : public ExtrapolatedWalk {
  public:
   SeriesWalk(const SprungSystem& system, const StepSetting& setting)
@@ -52,8 +52,8 @@ class SeriesWalk : public ExtrapolatedWalk {
     else
       ExtrapolatedWalk::between(s, x);
   }
-  // Parts of a series up to `to`, s, equal in its own variable; a step that is short against the
-  // time so far has none.
+  // Ends of equal parts of a series up to `to`, s, in its own variable; a step that is short
+  // against the time so far has none.
   int parts(double to) const {
     return end_ > 0.0 && to - begin_ > kLeastParted * begin_ ? kParts : 1;
   }
@@ -64,10 +64,11 @@ class SeriesWalk : public ExtrapolatedWalk {
  private:
   static constexpr int kParts = 8;
   static constexpr double kLeastParted = 1e-9;
-  // Of the time so far, the step by which a depth that rounding left above the surface gets below.
+  // Step, relative to the time so far, that brings a depth below the surface that rounding left
+  // above.
   static constexpr double kBeyondSurface = 1e-6;
-  // Of the forcing phase, rad, what no step passes that gets anywhere; after so many of these the
-  // state stays where it is, which ends the motion.
+  // Shortest useful step, rad of the forcing phase; after so many shorter ones the state stays
+  // where it is, which ends the motion.
   static constexpr double kShortStep = 1e-9;
   static constexpr int kMostShortSteps = 100000;
 

@@ -12,7 +12,7 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
-// Steps that their error decides; within one the method's own polynomial holds.
+// Adaptive steps; within one the method's own polynomial is used.
 template <class Rates>
 class DenseWalk {
  public:

@@ -17,16 +17,16 @@ namespace odeint = boost::numeric::odeint;
 // A step that fails its error more often than this in a row will not succeed.
 constexpr int kMostFailures = 500;
 
-// The estimate of Fehlberg's 7(8) compares stages at the two ends of a step alone: of x' = f(t) it
-// sees nothing. The step itself sums f as Newton and Cotes' rule of seven points does, with an
-// error of (9/1400)(h/6)^9 f^(8); steps are kept so short that for a harmonic force this is within
-// the tolerance.
+// The estimate of Fehlberg's 7(8) compares only stages at the two ends of a step: it is zero for x'
+// = f(t). The step itself sums f by the seven-point rule of Newton and Cotes, with an error of
+// (9/1400)(h/6)^9 f^(8); steps are kept so short that for a harmonic force this is within the
+// tolerance.
 double longest_step_of_force(double frequency, double tolerance) {
   if (!(frequency > 0.0)) return std::numeric_limits<double>::infinity();
   return 6.0 / frequency * std::pow(1400.0 / 9.0 * tolerance, 1.0 / 9.0);
 }
 
-// Steps that their error decides; a shorter one from the same start leads to what lies within.
+// Adaptive steps; a state within one is computed by a shorter step from the same start.
 template <class Rates>
 class ControlledWalk {
  public:

@@ -1,6 +1,5 @@
 // How a smooth piece of motion is integrated step by step, where a scene asks for that in place of
-// the exact flow: explicit Runge-Kutta methods, with a fixed step or with steps that an estimate of
-// their error decides.
+// the exact flow: explicit Runge-Kutta methods, with a fixed step or with error control.
 #pragma once
 
 #include "graze/system/system.hpp"
@@ -15,11 +14,11 @@ enum class StepMethod {
 
 struct StepSetting {
   StepMethod method = StepMethod::kRk4;
-  double step = 0.0;       // s; 0: the error of a step decides (not with rk4)
-  double tolerance = 0.0;  // allowed error of a step, relative to `speed`; where it decides
+  double step = 0.0;       // s; 0: error control (not with rk4)
+  double tolerance = 0.0;  // allowed error of a step, relative to `speed`; with error control
   double speed = 0.0;      // size of the modal motion, kg^1/2 m/s: of the velocities and of the
                            // displacements times their frequencies
-  double longest = 0.0;    // s, no step that an error decides is longer: longest_stable_step
+  double longest = 0.0;    // s, longest step with error control: longest_stable_step
 };
 
 // The longest step with which no mode of the system grows by rounding alone, s; infinite where

@@ -52,8 +52,8 @@ const Watch& IntegratedPhase::watch_of(int stop, Contact at, int multiplicity, d
   return watch;
 }
 
-// By the signs at the ends of steps. A rigid stop that the structure cannot leave is touched at
-// once.
+// Events are found by the signs at the ends of steps. A rigid stop that the structure cannot leave
+// is touched at once.
 Arrival<double> IntegratedPhase::first_event(const MotionState<double>& now,
                                              const Flight<double>& flight) {
   if (const std::optional<Arrival<double>> left = left_at_once(now)) return *left;
@@ -96,7 +96,7 @@ Arrival<double> IntegratedPhase::first_event(const MotionState<double>& now,
   return arrival;
 }
 
-// What was asked for its sign has it since the start.
+// A watch whose sign was asked for has that sign since the start.
 void IntegratedPhase::tell(const std::vector<Watched>& list, const StepDescent& found,
                            Arrival<double>& arrival) {
   const Watch& watch = *list[static_cast<std::size_t>(found.watch)].watch;
@@ -117,7 +117,7 @@ void IntegratedPhase::tell(const std::vector<Watched>& list, const StepDescent& 
 
 namespace {
 
-// A soft mode moves by what the forcing does to it.
+// A soft mode moves at the frequency of the forcing.
 Vector modal_scale(const LinearSystem<double>& modes) {
   const double slowest = std::max(modes.frequency, 1e-3 * modes.omega.norm());
   return modes.omega.cwiseMax(slowest > 0.0 ? slowest : 1.0);

@@ -10,7 +10,7 @@ namespace {
 
 Complex complex(const PlanarNumber<double>& number) { return {number.re, number.im}; }
 
-// Nothing where a mode has no exponential form.
+// Returns nullopt when a mode has no exponential form.
 std::optional<Signal> free_signal(const Arc<double>& arc, const Observable<double>& observable) {
   const ExactFlow<double>& flow = arc.flow();
   Complex harmonic = complex(observable.harmonic);
@@ -41,9 +41,9 @@ std::optional<Signal> free_signal(const Arc<double>& arc, const Observable<doubl
   return signal;
 }
 
-// Whether two of its terms nearly are one: near critical damping rates and sizes, opposite ones,
-// are told apart by a small difference d, and the integral of the square cancels by d^2, of which
-// four bits are given.
+// Whether two of its terms nearly cancel: near critical damping rates are nearly equal and sizes
+// nearly opposite, with a small difference d, and the integral of the square cancels by d^2; a loss
+// of four bits is accepted.
 bool nearly_cancels(const Signal& signal) {
   constexpr double apart = 0.25;
   const auto is_near = [&](const SignalTerm& a, Complex size, Complex rate) {
@@ -62,7 +62,7 @@ bool nearly_cancels(const Signal& signal) {
   return false;
 }
 
-// Nothing where some of the motion is no sum of exponentials that can be told apart.
+// Returns nullopt when some of the motion is no sum of well separated exponentials.
 std::optional<Signal> signal_of(const ExactPhase<double>& phase,
                                 const Observable<double>& observable) {
   if (const Arc<double>* arc = phase.arc()) return free_signal(*arc, observable);
@@ -72,7 +72,7 @@ std::optional<Signal> signal_of(const ExactPhase<double>& phase,
   return signal;
 }
 
-// Of Re(size e^{rate s}) e^{-i theta}.
+// Integral of Re(size e^{rate s}) e^{-i theta}, summed over the terms.
 Complex turned_integral(const Signal& signal, double theta, double frequency, double s) {
   const Complex back(0.0, -frequency);
   Complex sum = 0.0;
@@ -88,7 +88,7 @@ ArcIntegrals by_panels(const ExactPhase<double>& phase, const Arc<double>& arc,
   double quickest = 0.0;
   for (int j = 0; j < flow.modes(); ++j)
     quickest = std::fmax(quickest, flow.mode(j).omega + 2.0 * flow.mode(j).delta);
-  // Of the square, and of the product with the forcing.
+  // The highest frequency of the square and of the product with the forcing.
   quickest = 2.0 * std::fmax(quickest, flow.frequency());
   const ArcCurve<double> curve = phase.curve(observable, s);
   ArcIntegrals integrals;

@@ -22,9 +22,9 @@ SignalTerm harmonic_velocity(const ModeFlow<double>& mode, double frequency, dou
 }
 
 // Whether two exponentials and the harmonic response give the velocity over s without cancellation:
-// they are told apart (as in exact_flow_impl.hpp), and above critical damping each is then at most
-// the force over the damping; below, the response must not be large against that from rest, which
-// is about the force over w^2 + 2 delta/s + 2/s^2.
+// the exponentials are distinct (as in exact_flow_impl.hpp), and above critical damping each is
+// then at most the force over the damping; below, the response must not be large against that from
+// rest, which is about the force over w^2 + 2 delta/s + 2/s^2.
 bool is_exponential(const ModeFlow<double>& mode, double frequency, bool forced, double s) {
   const double apart = 2.0 * std::sqrt(std::abs(mode.discriminant));
   if (!(apart * s >= 1.0 && apart >= mode.omega)) return false;
@@ -59,8 +59,8 @@ Signal mode_velocity(const Arc<double>& arc, int j) {
   return signal;
 }
 
-// After this, s, the free motion of a mode near critical damping (root < w/2, and so delta > .8 w)
-// is below the rounding of its start. Other modes are given no such time.
+// Time, s, after which the free motion of a mode near critical damping (root < w/2, and so delta >
+// .8 w) is below the rounding of its start. Not used for other modes.
 double settling_time(const ModeFlow<double>& mode) {
   const double root = std::sqrt(std::abs(mode.discriminant));
   if (!(2.0 * root < mode.omega)) return std::numeric_limits<double>::infinity();
@@ -73,7 +73,7 @@ double settling_time(const ModeFlow<double>& mode) {
 
 // Dissipation and work of the forcing on one mode where exponentials would cancel. A flight lasts a
 // forcing period at most, W s <= 2 pi, so the panels are few in each case that is left:
-//   - the exponentials are not told apart, 2 root s < 1, 2 root >= w: (w + 2 delta) s < 4;
+//   - the exponentials are not distinct, 2 root s < 1, 2 root >= w: (w + 2 delta) s < 4;
 //   - near critical damping, up to the settling time: (w + 2 delta) s < 300;
 //   - near resonance, or where the harmonic response is large against a short flight: w s < 8,
 //     delta < w.
@@ -100,12 +100,12 @@ void add_by_panels(const Arc<double>& arc, int j, double s, Work& work) {
   work.forcing += mode.force * product_integral(force, left, s - settled);
 }
 
-// Dissipation of many modes that nothing drives. Each velocity is Re(c e^{l s}), and
+// Dissipation of many unforced modes. Each velocity is Re(c e^{l s}), and
 //
 //   2 delta v^2 = delta (|c|^2 e^{-2 delta s} + Re(c^2 e^{2 l s})),
 //
-// whose integrals know no cancellation but that of the two, which is within the rounding of the
-// mode's own energy. False, with nothing added, where a mode has another form.
+// whose integrals cancel at most within the rounding of the mode's own energy. Returns false, with
+// nothing added, where a mode has another form.
 bool add_free_modes(const Arc<double>& arc, double s, Work& work) {
   const ExactFlow<double>& flow = arc.flow();
   const auto free = [&](int j) { return flow.mode(j).kind == ModeKind::kOscillatory; };
@@ -162,7 +162,7 @@ bool acts_along_row(const Stop& stop) {
          kRoundings * std::numeric_limits<double>::epsilon() * stop.row.norm();
 }
 
-// What linear springs and their dashpots took.
+// Adds the work of linear springs and their dashpots.
 void add_linear_springs(const ExactPhase<double>& phase, double s, Work& work) {
   const SpringArc& springs = *phase.sprung();
   for (std::size_t k = 0; k < springs.springs().loaded.size(); ++k) {
@@ -179,11 +179,11 @@ void add_linear_springs(const ExactPhase<double>& phase, double s, Work& work) {
   }
 }
 
-// While an oblique law or unequal damping couples the modes.
+// Adds the works while an oblique law or unequal damping couples the modes.
 void add_coupled(const System& system, const ExactPhase<double>& phase, double s, Work& work) {
   const CoupledArc& arc = *phase.coupled_arc();
   if (phase.sprung()) add_linear_springs(phase, s, work);
-  // Nothing else takes or gives.
+  // Without these no other work is done.
   if (system.delta().isZero(0.0) && !system.forcing() && phase.closed().empty()) return;
   const Moments moments = moments_along(arc, s);
   const ConstrainedStructure<double>& structure = phase.structure();

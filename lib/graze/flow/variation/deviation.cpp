@@ -16,9 +16,9 @@ struct ModeGrowth {
   double q = 0.0, qdot = 0.0;
 };
 
-// How the end of a flight from a given state moves when it begins later, per second: the response
-// from rest to the rate of the force, -W f sin(theta + W s). Its power series while that
-// converges like x^n/n!, x = (2 delta + omega + W) s < 2, where the difference of free and harmonic
+// Derivative of the end of a flight from a given state by the instant of its start, per second: the
+// response from rest to the rate of the force, -W f sin(theta + W s). Its power series, for x = (2
+// delta + omega + W) s < 2, where it converges like x^n/n! and the difference of free and harmonic
 // parts would cancel.
 ModeGrowth late_start_by_series(const ModeFlow<double>& mode, double frequency, double theta,
                                 double s) {
@@ -46,7 +46,7 @@ ModeGrowth late_start_by_series(const ModeFlow<double>& mode, double frequency, 
   return sum;
 }
 
-// Of an arc of s seconds from forcing phase theta.
+// The change of the forcing over an arc of s seconds from forcing phase theta.
 struct ForcingTurn {
   double frequency, theta, s;
   Complex start = std::polar(1.0, theta), end = std::polar(1.0, theta + frequency * s);
@@ -71,8 +71,8 @@ ModeGrowth late_start(const ModeFlow<double>& mode, const FreeBasis<double>& bas
       (rate * end).real() + w2 * basis.sine * q - (basis.cosine - mode.delta * basis.sine) * qdot};
 }
 
-// What a mode adds to a deviation: of its displacement by both, of its velocity by both, and of
-// both by the delay.
+// Growth of a deviation by mode: of its displacement by both displacement and velocity, of its
+// velocity by both, and of both by the delay.
 struct ModalGrowth {
   Eigen::ArrayXd q_by_q, q_by_qdot, qdot_by_q, qdot_by_qdot;
   Vector q_by_delay, qdot_by_delay;
@@ -103,7 +103,7 @@ ModalGrowth modal_growth_of(const Arc<double>& arc, double s, bool is_late) {
   return of;
 }
 
-// A column at a time: they lie together in memory.
+// One column at a time: columns are contiguous in memory.
 Deviations modal_growth(const Arc<double>& arc, double s, const Deviations& start) {
   const ModalGrowth of = modal_growth_of(arc, s, !start.delay.isZero(0.0));
   Deviations change{Matrix(start.q.rows(), start.count()), Matrix(start.q.rows(), start.count()),

@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Index;
 
-// The exponential of twice 2 n + 3 states grows with the cube of n, steps with n: beyond so many
-// modes these are quicker.
+// The exponential of twice 2 n + 3 states grows with the cube of n, integration with n: with more
+// modes integration is faster.
 constexpr int kMostModes = 16;
 
 // A number of a linear spring and its rate.
@@ -23,7 +23,7 @@ struct SpringRates {
   double damping() const { return dashpot_of(stop.force()); }
   double stiffness_rate() const { return rate.is_compliant() ? rate.force().stiffness : 0.0; }
   double damping_rate() const { return rate.is_compliant() ? coefficient_rate() : 0.0; }
-  // Of the depth at fixed displacements q.
+  // Derivative of the depth by the parameter at fixed displacements q.
   double depth_rate(const Vector& q) const { return rate.row.dot(q) - rate.gap; }
 
  private:
@@ -32,8 +32,8 @@ struct SpringRates {
   }
 };
 
-// Of the displacements z from the start and of the velocities: z'' = load + force cos theta - D z'
-// - K z; and how all of it moves with the parameter.
+// Equations of the displacements z from the start and of the velocities, z'' = load + force cos
+// theta - D z' - K z, and their derivatives by the parameter.
 struct Equations {
   Matrix stiffness, damping;
   Vector load, force;
@@ -91,7 +91,7 @@ Equations rates_of(const System& system, const System& tangent,
 }  // namespace
 
 // Instants are compared at equal phases, so the clock runs in forcing phase: E s with s = phase/W.
-// The derivative of e^{E s} x stands in the exponential of [E s, (E s)'; 0, E s].
+// The derivative of e^{E s} x is a block of the exponential of [E s, (E s)'; 0, E s].
 std::optional<Deviations> linear_spring_parameter_deviation(const System& system,
                                                             const System& tangent,
                                                             const SpringArc& phase,
@@ -103,7 +103,7 @@ std::optional<Deviations> linear_spring_parameter_deviation(const System& system
   for (std::size_t k = 0; k < phase.springs().loaded.size(); ++k) {
     const auto at = static_cast<std::size_t>(phase.springs().loaded[k]);
     springs.push_back({system.stops[at], tangent.stops[at], phase.depths[k]});
-    // By its exponent a law is not linear.
+    // The derivative by the exponent of a spring is not linear.
     if (tangent.stops[at].is_compliant() && tangent.stops[at].force().exponent != 0.0) return {};
   }
   const Equations equations = equations_of(system, springs, start.q);

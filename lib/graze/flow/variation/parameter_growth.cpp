@@ -62,7 +62,7 @@ ParameterGrowth free_growth(const System& system, const System& tangent,
   const Eigen::Index n = system.modes();
   ParameterGrowth growth{graze::growth(phase, s, column), Vector(n)};
   const double frequency = system.forcing()->frequency;
-  // Long arcs by the closed forms, all modes at once, where any of them needs it.
+  // All modes at once by the closed forms of long arcs, where any of them needs these.
   std::optional<State> by_closed_form;
   std::optional<Vector> end;
   for (Eigen::Index j = 0; j < n; ++j) {
@@ -93,7 +93,7 @@ ParameterGrowth free_growth(const System& system, const System& tangent,
 
 // The held motion in all N coordinates, q'' = P (load + Re(force e^{i theta}) - 2 delta q' - w^2 q)
 // with P = 1 - D (B^T D)^-1 B^T, as x' = A x on x = (rates * q, q', cos theta, sin theta, 1); and
-// how A moves with the parameter. Constraints are integrals of it, so they are kept.
+// the derivative of A by the parameter. Constraints are integrals of it, so they are kept.
 class ConstrainedGenerator {
  public:
   ConstrainedGenerator(const System& system, const System& tangent, const std::vector<int>& closed)
@@ -116,7 +116,7 @@ class ConstrainedGenerator {
     frequency_ = system.forcing()->frequency;
   }
 
-  // What s seconds add to a deviation and to the state.
+  // Growth of a deviation, and of the state, over s seconds.
   ParameterGrowth growth(const State& start, double theta, double s,
                          const Deviations& column) const {
     const Eigen::Index m = size();

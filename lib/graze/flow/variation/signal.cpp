@@ -49,7 +49,7 @@ void visit_nodes(double s, double quickest, const std::function<void(double, dou
   using Rule = boost::math::quadrature::gauss<double, 15>;
   const double panels = std::ceil(std::fmax(quickest * s, 1.0)), half = 0.5 * s / panels;
   for (double k = 0.0; k < panels; ++k) {
-    // A sum that is cut short is not known.
+    // An interrupted sum has no value.
     if (StopScope::is_over()) return visit(0.0, std::numeric_limits<double>::quiet_NaN());
     const double middle = s * ((k + 0.5) / panels);
     visit(middle, half * Rule::weights()[0]);

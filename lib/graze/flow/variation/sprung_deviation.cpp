@@ -30,8 +30,8 @@ Matrix projection_rate(const System& system, const System& tangent,
          directions_of(system, closed) * contact_share_rate(system, tangent, closed);
 }
 
-// What the phase integrates, in all coordinates though stops hold the structure: q'' = P f. Nothing
-// where none does.
+// The equations that the phase integrates, in all coordinates though stops hold the structure: q''
+// = P f. Returns nullopt when no stop is closed.
 std::optional<SprungSystem> constrained_system(const System& system, const SpringArc& phase) {
   if (phase.closed().empty()) return {};
   SprungSystem sprung = phase.equations;
@@ -52,16 +52,16 @@ std::optional<SprungSystem> constrained_system(const System& system, const Sprin
   return sprung;
 }
 
-// What moves a deviation by a parameter besides itself.
+// The inhomogeneous terms of the equations of a derivative by a parameter.
 struct Source {
   const System& system;
   const System& tangent;
   const std::vector<int> springs;  // the stops that the springs are of
-  // P and how it moves with the parameter; empty where no stop is closed.
+  // P and its derivative by the parameter; empty where no stop is closed.
   Matrix held{}, held_rate{};
 
-  // At displacements q, velocities v, accelerations a, and cos(theta): of the velocities and of the
-  // accelerations, per unit of the parameter.
+  // Terms of the velocities and of the accelerations, per unit of the parameter, at displacements
+  // q, velocities v, accelerations a, and cos(theta).
   void at(const Vector& q, const Vector& v, const Vector& a, double cosine, const SprungSystem& own,
           const std::vector<Sprung::Compression>& contacts, Vector& velocity,
           Vector& acceleration) const {
@@ -93,7 +93,7 @@ struct Source {
   const Stop& stop_rate(std::size_t i) const {
     return tangent.stops[static_cast<std::size_t>(springs[i])];
   }
-  // What acts on the structure but for its closed stops.
+  // The forces on the structure except those of its closed stops.
   Vector unheld(const Vector& q, const Vector& v, double cosine, const SprungSystem& own,
                 const std::vector<Sprung::Compression>& contacts) const {
     Vector push = system.forcing()->amplitude * cosine - 2.0 * system.delta().cwiseProduct(v) -
@@ -106,7 +106,7 @@ struct Source {
   }
 };
 
-// The motion with its deviations beside it: z, then (w dq, dq') of each, per its own size.
+// The motion together with its deviations: z, then (w dq, dq') of each, per its own size.
 class Varied {
  public:
   using State = std::vector<double>;
@@ -175,7 +175,7 @@ class Varied {
   const Vector& scale() const { return motion_.scale(); }
 
  private:
-  // `fresh`: from nothing. A matrix may come as the column of its diagonal.
+  // `fresh`: overwrites instead of adding. A matrix may be the column of its diagonal.
   template <class Columns, class Rates>
   static void subtract(const Matrix& matrix, const Columns& columns, Rates&& rates, bool fresh) {
     if (fresh) rates.setZero();
@@ -209,7 +209,7 @@ class Varied {
   Vector drift_, push_;
 };
 
-// Not finite where it does not come there, or was asked to stop (stop_scope.hpp) before.
+// Not finite when the end is not reached, or when it was asked to stop (stop_scope.hpp) before.
 Varied::State integrate(Varied& varied, Varied::State whole, double s) {
   step_walk::Extrapolation method =
       step_walk::extrapolation(kDeviationTolerance, Sprung::relative(kDeviationTolerance));
@@ -224,7 +224,7 @@ Varied::State integrate(Varied& varied, Varied::State whole, double s) {
   return whole;
 }
 
-// Of each column, in the units of z; 1 where it is zero.
+// The size of each column, in the units of z; 1 where it is zero.
 Vector sizes_of(const Deviations& deviations, const Vector& scale) {
   Vector sizes(deviations.count());
   for (Eigen::Index k = 0; k < sizes.size(); ++k) {
@@ -265,15 +265,15 @@ Deviations sprung_parameter_deviation(const System& system, const System& tangen
     return varied.end(
         integrate(varied, varied.begin(start, theta, phase.depths, column, sizes), s));
   };
-  // How large it gets is known only once it has been followed: first by the steps that the motion
-  // alone asks for.
+  // The size of a deviation is known only once it has been followed: first with the steps that the
+  // motion alone needs.
   const Deviations rough = follow(Vector::Constant(1, std::numeric_limits<double>::max()));
   const Vector size = sizes_of(rough, varied.scale()).cwiseMax(sizes_of(column, varied.scale()));
   return follow(size);
 }
 
 double surface_resistance(const ContactForce& law) {
-  // Beyond a contact that ends with its force nothing jumps at the surface but where it begins.
+  // Where contacts end at zero force, velocities jump at the surface only when a contact begins.
   return law.damping == ContactDamping::kNone ? 0.0 : law.resistance(0.0);
 }
 

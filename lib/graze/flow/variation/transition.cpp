@@ -122,9 +122,9 @@ Eigen::Vector2d harmonic_mode_tangent(const ModeFlow<double>& mode, const ModeRa
          rest_rate + harmonic(forced_rate, velocity_rate, at.end_cosine, at.end_sine);
 }
 
-// A mode that answers from rest has no harmonic response to lean on, a soft one no rest position:
-// derivative of the exponential of the system (q, q', cos, sin, 1) through the block matrix [A, dA;
-// 0, A].
+// For a mode whose response is taken from rest there is no harmonic response to refer to, for a
+// soft one no rest position: derivative of the exponential of the system (q, q', cos, sin, 1)
+// through the block matrix [A, dA; 0, A].
 Eigen::Vector2d direct_mode_tangent(const ModeFlow<double>& mode, double load,
                                     const ModeRates& rate, double frequency,
                                     const Eigen::Vector2d& start, double theta, double s) {
@@ -204,7 +204,8 @@ ModeTransition ModalTransitions::from(Eigen::Index j, double q, double qdot) con
   arc.phase_rate_qdot = -w * after - (arc.vq * before_rate - arc.vv * w * before);
   if (mode.kind == ModeKind::kFromRest) {
     const PlanarNumber<double> now = forced_response(mode, w, theta_, s_);
-    // Linear in (cos, sin) of the start phase: its derivative is the response a quarter turn later.
+    // Linear in (cos, sin) of the start phase: its derivative is the response a quarter period
+    // later.
     const PlanarNumber<double> later =
         forced_response(mode, w, theta_ + 0.5 * std::numbers::pi, s_);
     arc.q += mode.force * now.re;
@@ -228,7 +229,7 @@ Eigen::Vector2d ModalTransitions::tangent(Eigen::Index j, double q, double qdot,
   const double load = system_.load() ? (*system_.load())[j] : 0.0;
   const ModeRates rates = rates_of(system_, tangent, j);
   const Eigen::Vector2d start(q, qdot);
-  // With no load there is nothing for a soft mode to rest against.
+  // Under a load a soft mode has no rest position.
   const bool soft = mode.omega == 0.0 ? load != 0.0 || rates.load != 0.0 : mode.load != 0.0;
   const double frequency = flow_.frequency();
   if (mode.kind == ModeKind::kFromRest || soft)

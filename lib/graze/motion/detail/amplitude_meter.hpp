@@ -1,7 +1,7 @@
 // Measures a motion flight by flight (amplitudes.hpp). Along closed forms the extremes are those of
-// certified searches and the means integrals in closed form; where the motion is integrated step by
-// step, or many modes that stops hold are followed by power series, both are those of the
-// polynomial through nine states within each step, which the steps are short enough for.
+// certified searches and the means integrals in closed form. Where the motion is integrated step by
+// step, or follows power series, both are those of the polynomial through nine states within each
+// step; steps are short enough for that.
 #pragma once
 
 #include <limits>
@@ -17,17 +17,17 @@ namespace graze {
 
 class AmplitudeMeter {
  public:
-  // Refers to the system. Without options nothing is measured, and nothing it is told costs
-  // anything.
+  // Refers to the system. Without options nothing is measured, and the functions below cost
+  // nothing.
   AmplitudeMeter(const System& system, const std::optional<MeasureOptions>& options);
 
-  // A flight that began at forcing phase theta, rad, and at a time, s, and took so many seconds.
+  // Adds a flight of so many seconds that began at forcing phase theta, rad, and at a time, s.
   void add_flight(const ContactPhase<double>& phase, double theta, double time, double seconds);
-  // The shares of an impact, and a contact that begins at a compliant stop.
+  // Adds the shares of an impact, and the begin of a contact at a compliant stop.
   void add_impact(const std::vector<ImpactShare<double>>& shares, double time);
   void add_contact(int stop, double time);
-  // What is left of a chatter that is summed: the stops that the structure is put to rest on, and
-  // the velocities that this takes away. They hold it from then on, so that the impulse may be
+  // Adds a summed tail of a chatter: the stops on which the structure is put to rest, and the
+  // velocities that this takes away. The stops hold it from then on, so that the impulse may be
   // negative.
   void add_closure(const std::vector<int>& stops, const Vector& taken, double time);
 
@@ -45,7 +45,7 @@ class AmplitudeMeter {
     double value = 0.0, square = 0.0;  // integrals over time
     Complex turned = 0.0;
   };
-  // Of a row: itself, and its rate unless it is a velocity.
+  // Sums for a row: of itself, and of its rate unless it is a velocity.
   struct Measured {
     Sums sums;
     Extent speed;
@@ -58,7 +58,7 @@ class AmplitudeMeter {
   };
 
   void add_exact(const ContactPhase<double>& phase, double time, double from, double to);
-  // Of a stop, N.
+  // Adds the force of a stop, N.
   void add_force(const ExactPhase<double>& phase, int stop, const Observable<double>& force,
                  double time, double from, double to);
   void add_steps(const ContactPhase<double>& phase, double theta, double time, double from,

@@ -1,4 +1,4 @@
-// Largest and smallest values of what is linear in the motion, along an arc in closed form.
+// Largest and smallest values of linear functions of the motion, along an arc in closed form.
 #pragma once
 
 #include "graze/flow/held/detail/exact_phase.hpp"
@@ -10,8 +10,8 @@ Observable<double> displacement_of(const ConstrainedStructure<double>& structure
                                    const Vector& row);
 Observable<double> velocity_of(const ConstrainedStructure<double>& structure, const Vector& row);
 
-// The smallest value over the window [from, to] that is lower than `below`; minus infinity where
-// the search could not be finished. And the largest that is higher than `above`.
+// The smallest value over the window [from, to] that is lower than `below`; minus infinity when the
+// search could not be finished. Likewise the largest that is higher than `above`.
 double lowest_along(const ExactPhase<double>& phase, const Observable<double>& observable,
                     double from, double to, double below);
 double highest_along(const ExactPhase<double>& phase, const Observable<double>& observable,

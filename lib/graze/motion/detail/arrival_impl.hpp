@@ -1,4 +1,4 @@
-// Definitions of motion.hpp: what becomes of the motion at the end of a flight.
+// Definitions of motion.hpp: the end of a flight.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace graze {
 
-// After a flight, before it is known what lies at its end.
+// Moves to the end of a flight, before the event there is decided.
 template <class Real>
 void Motion<Real>::land(const Real& flight) {
   sure_.clear();
@@ -18,7 +18,7 @@ void Motion<Real>::land(const Real& flight) {
   vanished_ = 0;
   phase_->state(flight, now_.q, now_.qdot);
   audit_gaps(flight);
-  // A stop that has hardly been left still counts as touched: the sign of its gap is rounding.
+  // A stop that was left within rounding still counts as touched: the sign of its gap is rounding.
   for (const int i : all_)
     if (contact(i) == Contact::kDeparting)
       set(i, touches(i) ? Contact::kTouching : Contact::kClear);
@@ -72,15 +72,16 @@ Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
   }
   switch (arrival.kind) {
     case ArrivalKind::kJoint: {
-      // Friction jumps where the joint has turned until now; what turns it again grows up to it.
+      // Friction jumps when a rotating joint stops; the torque on a held joint grows up to the
+      // friction.
       const bool stops = now_.joint != Joint::kHeld;
       arrive_at_joint(arrival.forward);
       if (stops) judge_again(Jumped::kForces);
       break;
     }
     case ArrivalKind::kContact:
-      // A gap that touches zero without approaching has nothing to undo: a grazing from outside, or
-      // a point within rounding of one.
+      // A gap that reaches zero without approach speed needs no impact: the motion grazes the stop,
+      // or comes within rounding of that.
       arrival.speed = approach_speed(arrival.stop);
       if (!(arrival.speed > 0)) arrival.kind = ArrivalKind::kTouch;
       [[fallthrough]];
@@ -109,7 +110,7 @@ void Motion<Real>::touch_simultaneous(const Real& flight) {
   const Real shape = now_.q.norm(), speed = now_.qdot.norm();
   for (const int i : order_) {
     if (contact(i) != Contact::kClear || i == left_out_) continue;
-    // By their sizes first: of many stops nearly all are far away.
+    // Compares sizes first: of many stops nearly all are far away.
     const MetStop& s = stop(i);
     const Real most =
         Real(static_cast<int>(now_.q.size()) + 2) * eps * (abs(s.gap) + s.norm * shape) +
@@ -123,10 +124,10 @@ void Motion<Real>::touch_simultaneous(const Real& flight) {
   }
 }
 
-// The located instant is rounded, the contact is not: row.q = gap holds as an identity, and the
+// The located instant is rounded, the contact is not: row.q = gap is made to hold exactly, and the
 // next arc starts from it. The offset, small against the present motion, would outlive a decaying
-// one. Each mode takes of it by the square of how far it moves, as rounding has spread it: none is
-// changed beyond its own last digits, and the energy, mostly of stiff modes, hardly at all.
+// one. It is spread over the modes by the square of their displacements, as rounding has spread it:
+// no mode changes beyond its last digits, and the energy, mostly of stiff modes, hardly at all.
 template <class Real>
 void Motion<Real>::settle_on(int i, const Real& flight) {
   using std::abs;
@@ -135,7 +136,7 @@ void Motion<Real>::settle_on(int i, const Real& flight) {
     const Real w = linear_.omega[j];
     return Real(abs(now_.q[j]) + abs(now_.qdot[j]) * (w * flight > 1 ? Real(1 / w) : flight));
   };
-  // In parts of the largest, whose square might be out of range.
+  // Relative to the largest, whose square might be out of range.
   Real largest = 0;
   for (Eigen::Index j = 0; j < now_.q.size(); ++j) largest = std::max(largest, moves(j));
   const auto share = [&](Eigen::Index j) {
@@ -149,7 +150,7 @@ void Motion<Real>::settle_on(int i, const Real& flight) {
     for (Eigen::Index j = 0; j < now_.q.size(); ++j) now_.q[j] += offset * (share(j) / whole);
   else
     now_.q += (offset / s.row.squaredNorm()) * s.row;
-  // What is left is rounding of what it was: where the gap is zero, more than that of what it is.
+  // The remaining offset has the rounding of the old gap, which exceeds that of a gap of zero.
   const GapValue<Real> left = gap_value(s.row, now_.q, s.gap);
   if (!(abs(left.value) > left.rounding)) return;
   Eigen::Index most = 0;

@@ -54,13 +54,13 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_chatter(int i, const Real
   const Real push = -now.value;
   if (!(push > now.noise)) return {};
   const Real duration = 2 * leaving / (push * (1 - restitution));
-  // Of a structure that turns no more is known ahead than how the push changes now.
+  // On a rotating hub only the present rate of the push is known.
   const CurvePoint<Real> ahead = phase_->sees_ahead() ? phase_->outlook(i, 2, duration) : now;
   if (!(duration * (abs(ahead.slope) + ahead.bound * duration) <= push / 2)) return {};
   if (!is_quiet(*phase_, {i}, duration)) return {};
   if (has_friction() && !turns_on(duration)) return {};
-  // What the tail's impulses add up to: the part of the push that the closed stop would have taken,
-  // less the speed at which the structure leaves.
+  // The sum of the tail's impulses: the push that the closed stop would have taken meanwhile, less
+  // the speed at which the structure leaves.
   std::vector<int> stops = closed();
   stops.push_back(i);
   const RealVector<Real> before = std::exchange(now_.qdot, at_rest_on(stops).second);
@@ -73,20 +73,19 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_chatter(int i, const Real
   return settled(stops, duration);
 }
 
-// Touched, and not held there.
+// Whether the structure touches the stop and is not held there.
 template <class Real>
 bool Motion<Real>::is_touched(int i) const {
   return contact(i) == Contact::kTouching || contact(i) == Contact::kDeparting;
 }
 
-// Of those, at a speed that is not rounding.
+// Whether it leaves a touched stop at a speed that is not rounding.
 template <class Real>
 bool Motion<Real>::is_leaving(int i) const {
   return is_touched(i) && approach_speed(i) < -speed_rounding(i);
 }
 
-// Whether nothing but the chatter happens for so long: no stop is met, none of the closed ones
-// released.
+// Whether only the chatter happens for so long: no other stop is met, and no closed one released.
 template <class Real>
 bool Motion<Real>::is_quiet(const ContactPhase<Real>& phase, const std::vector<int>& chattering,
                             const Real& duration) {
@@ -94,7 +93,7 @@ bool Motion<Real>::is_quiet(const ContactPhase<Real>& phase, const std::vector<i
   for (const int j : order_) {
     if (std::find(chattering.begin(), chattering.end(), j) != chattering.end()) continue;
     if (is_touched(j)) {
-      // It is being left, and is not met again where that goes on all the time.
+      // The stop is being left, and is not met again if its gap keeps rising all the time.
       if (!phase.sees_ahead()) return false;
       const CurvePoint<Real> rate = phase.outlook(j, 1, duration);
       if (!(rate.value - rate.noise > duration * (abs(rate.slope) + rate.bound * duration)))
@@ -107,7 +106,7 @@ bool Motion<Real>::is_quiet(const ContactPhase<Real>& phase, const std::vector<i
   return true;
 }
 
-// The same of one stop of a structure that turns, by what its gap or force does now, doubled.
+// The same for one stop on a rotating hub, from twice the present change of its gap or force.
 template <class Real>
 bool Motion<Real>::is_quiet_meanwhile(int j, const Real& duration) {
   using std::abs;
@@ -115,22 +114,22 @@ bool Motion<Real>::is_quiet_meanwhile(int j, const Real& duration) {
   return gap(j) > 2 * duration * (abs(approach_speed(j)) + duration * abs(free_push(j)));
 }
 
-// Whether a hub with friction goes on turning as it does, impacts or no.
+// Whether a hub with friction keeps its direction of rotation for so long, impacts or not.
 template <class Real>
 bool Motion<Real>::turns_on(const Real& duration) const {
   using std::abs;
   return abs(hub_rate(now_.qdot)) > 2 * duration * abs(hub_rate(free_acceleration()));
 }
 
-// Whether resolved_speed() may be that large, by the sizes of what it is formed from: of many stops
-// each costs a look at every mode. Twice, for the rounding of the sizes themselves.
+// Whether resolved_speed() may be that large, judged by the sizes of its terms, since with many
+// stops it costs a loop over the modes for each. A factor of two covers the rounding of the sizes.
 template <class Real>
 bool Motion<Real>::may_be_unresolved(const Real& speed) const {
   using std::abs;
   using std::sqrt;
   if (order_.size() < 2) return false;
   if (turning_) return true;
-  // No spring is compressed where this is asked for.
+  // Only called when no spring is compressed.
   const Real cosine = forcing_cosine(), shape = now_.q.norm();
   Real square = 0;
   for (Eigen::Index j = 0; j < now_.q.size(); ++j) {
@@ -146,7 +145,7 @@ bool Motion<Real>::may_be_unresolved(const Real& speed) const {
   return false;
 }
 
-// Falls onto a stop from within the rounding of its gap cannot be told from rest on it.
+// A speed below which falls onto a stop are within the rounding of its gap, like rest on it.
 template <class Real>
 Real Motion<Real>::resolved_speed() const {
   using std::sqrt;
@@ -160,8 +159,8 @@ Real Motion<Real>::resolved_speed() const {
   return sqrt(square);
 }
 
-// The stops that the structure would be at rest on: those touched, and those within the fall that
-// takes it to the closure speed. Empty where not all of the touched ones would press.
+// The stops on which the structure would be at rest: those touched, and those within the height of
+// fall that gives the closure speed. Empty where not all touched ones would press.
 template <class Real>
 std::vector<int> Motion<Real>::chattering_together(const Real& closure_speed) const {
   RealVector<Real> size;
@@ -173,7 +172,7 @@ std::vector<int> Motion<Real>::chattering_together(const Real& closure_speed) co
   for (const int i : order_) {
     if (contact(i) == Contact::kClear && !(2 * most * gap(i) <= closure_speed * closure_speed))
       continue;
-    // It is gone for longer than what is summed takes.
+    // The structure leaves this stop for longer than the tail lasts.
     if (is_touched(i) && approach_speed(i) < -closure_speed) continue;
     if (!(stop(i).restitution().at_rest() < 1)) return {};
     near.push_back(i);
@@ -198,10 +197,10 @@ std::vector<int> Motion<Real>::chattering_together(const Real& closure_speed) co
   return pressed.size() < 2 ? std::vector<int>() : pressed;
 }
 
-// Against pushes that hardly change meanwhile the tail is that of a structure which nothing but the
-// stops and a constant load act on: it is followed there, on its own scale. What it leaves follows
-// from the impulses' sum and its first moment alone: those that the stops would have given had they
-// held the structure from now on, and those that bring it to rest on them now.
+// While the pushes hardly change, the tail is that of a structure under constant pushes and contact
+// forces alone: it is followed as such, on its own scale. The motion after it follows from the sum
+// of its impulses and their first moment: those that the stops would have given had they held the
+// structure from now on, and those that bring it to rest on them now.
 template <class Real>
 std::optional<ClosedChatter<Real>> Motion<Real>::close_shared(const Real& closure_speed) {
   using std::abs;
@@ -225,14 +224,14 @@ std::optional<ClosedChatter<Real>> Motion<Real>::close_shared(const Real& closur
     chatter.pushes[a] = static_cast<double>(stop(i).row.dot(acceleration));
     chatter.restitutions.push_back(stop(i).restitution());
   }
-  // A look at it costs as much as a thousand impacts.
+  // Following the tail costs as much as a thousand impacts.
   const Real left = Real(speed_left(chatter));
   std::optional<double> found;
   if (!(now_.unsummed > 0 && 2 * left > now_.unsummed)) {
     now_.unsummed = left;
     found = time_to_rest(chatter, static_cast<double>(closure_speed));
   }
-  // What cannot be told from rest is over at once.
+  // A tail that does not differ from rest within rounding is over at once.
   if (!found && left <= resolved_speed()) found = 0.0;
   if (!found) return {};
   const Real duration = Real(*found);
@@ -282,7 +281,7 @@ std::pair<RealVector<Real>, RealVector<Real>> Motion<Real>::at_rest_on(
     amounts[a] = contact(i) == Contact::kClear ? Real(-gap(i)) : Real(0);
   }
   if (!amounts.isZero(0)) shift(q);
-  // Twice: row.direction = 1 holds to rounding.
+  // Two passes: row.direction = 1 holds only to rounding.
   for (int pass = 0; pass < 2; ++pass) {
     for (Eigen::Index a = 0; a < k; ++a)
       amounts[a] = stop(stops[static_cast<std::size_t>(a)]).row.dot(qdot);
@@ -291,7 +290,7 @@ std::pair<RealVector<Real>, RealVector<Real>> Motion<Real>::at_rest_on(
   return {q, qdot};
 }
 
-// The structure has been put to rest on these stops.
+// Records that the structure has been put to rest on these stops.
 template <class Real>
 ClosedChatter<Real> Motion<Real>::settled(const std::vector<int>& stops, const Real& duration) {
   ClosedChatter<Real> closed{{}, stops, duration};

@@ -1,4 +1,4 @@
-// Definitions of motion.hpp: what the audit (contact_audit.hpp) looks at.
+// Definitions of motion.hpp: the audit (contact_audit.hpp).
 #pragma once
 
 #include <fmt/format.h>
@@ -24,9 +24,9 @@ void Motion<Real>::fail_audit(int i, std::string what) {
   broken_ = Arrival<Real>{ArrivalKind::kRefused, i};
 }
 
-// What of a gap may be rounding after a flight, m: of what it is formed from at either end, and of
-// how far velocities move the structure in that time, or in its rounding. Springs and closed stops
-// couple the modes, and the rounding of one comes into all.
+// Bound on the rounding of a gap after a flight, m: of its terms at either end, and of the
+// distances that velocities cover in that time, or in its rounding. Springs and closed stops couple
+// the modes, so that the rounding of one reaches all.
 template <class Real>
 Real Motion<Real>::passing_rounding(int i, const Real& flight) const {
   using std::abs;
@@ -38,7 +38,7 @@ Real Motion<Real>::passing_rounding(int i, const Real& flight) const {
          (abs(s.gap) + s.row.norm() * size);
 }
 
-// The same of how far the forces move it, and of the forced displacement that free motion may
+// The same for the displacement by the forces, and for the forced displacement that free motion may
 // cancel.
 template <class Real>
 Real Motion<Real>::pushing_rounding(int i, const Real& flight) const {
@@ -50,15 +50,15 @@ Real Motion<Real>::pushing_rounding(int i, const Real& flight) const {
                       time * time * size.norm();
 }
 
-// After a flight, before anything is decided at its end. Steps that the scene asks for look at the
-// ends of steps alone.
+// After a flight, before the event at its end is decided. Motions integrated by the scene's steps
+// are only checked at the ends of steps.
 template <class Real>
 void Motion<Real>::audit_gaps(const Real& flight) {
   if (steps_) return;
   for (const int i : looked_at_) {
     const Contact now = contact(i);
     const bool is_beyond = now == Contact::kCompressed || now == Contact::kParted;
-    // A spring that rests is pressed where its surface is passed.
+    // A spring whose surface is touched at rest acts once that is passed.
     const bool is_resting = now == Contact::kLocked && multiplicity(i) > 0;
     if (stop(i).is_compliant() ? is_beyond || is_resting : is_held(i)) continue;
     const Real gap = this->gap(i);
@@ -100,7 +100,7 @@ void Motion<Real>::audit_forces() {
   }
 }
 
-// Whether one of the closed stops does, beyond the rounding of the forces that they share out.
+// Whether one of the closed stops pulls, beyond the rounding of the shared forces.
 template <class Real>
 bool Motion<Real>::pulls(const std::vector<int>& held) const {
   RealVector<Real> size;
@@ -108,7 +108,7 @@ bool Motion<Real>::pulls(const std::vector<int>& held) const {
   if (vanished_ > 0) size += located_size();
   const auto k = static_cast<Eigen::Index>(held.size());
   RealVector<Real> push(k), rounding(k);
-  // The instant is rounded too, and forces change meanwhile.
+  // The instant is rounded too, and forces change within that rounding.
   const Real located = 1 + quickest_rate() * now_.instant.local;
   for (Eigen::Index a = 0; a < k; ++a) {
     const RealVector<Real>& row = stop(held[static_cast<std::size_t>(a)]).row;
@@ -131,13 +131,13 @@ Real Motion<Real>::kinetic_square() const {
          Real(added_inertia(*system_.rotation(), now_.q.template cast<double>())) * rate * rate;
 }
 
-// The impact was that of shares_; `before`: kinetic_square() then.
+// Checks the impact in shares_; `before`: kinetic_square() before it.
 template <class Real>
 void Motion<Real>::audit_impact(const Real& before) {
   using std::sqrt;
   const Real after = kinetic_square();
   if (!(after > before)) return;
-  // Impulses that cancel are rounded each.
+  // Impulses that cancel have a rounding each.
   Real size = sqrt(before);
   std::optional<Real> restitution;
   for (const ImpactShare<Real>& share : shares_) {

@@ -1,9 +1,9 @@
-// Definitions of motion.hpp: what becomes of the stops that the structure is on.
+// Definitions of motion.hpp: the contacts of the stops that the structure touches.
 //
 // At an instant every touched stop is one of: approached (an impact is due), left at a speed, or at
-// rest. Those at rest, with the closed ones, share out the push by complementarity: contact forces
-// >= 0, accelerations into the stops <= 0, one of the two zero. Where both vanish, the next
-// derivative decides.
+// rest. Those at rest and the closed ones share the push by complementarity: contact forces >= 0,
+// accelerations into the stops <= 0, one of the two zero. Where both vanish, the next derivative
+// decides.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,8 @@ inline constexpr int kRoundings = 16;
 
 }  // namespace contact_decision_detail
 
-// An arrival where an impact is due or nothing can be decided; else empty, with the changes noted.
+// Returns an arrival when an impact is due or nothing can be decided; else nullopt, with the
+// changes noted.
 template <class Real>
 std::optional<Arrival<Real>> Motion<Real>::decide() {
   if (compliant_.empty()) return decide_rigid();
@@ -42,7 +43,7 @@ std::optional<Arrival<Real>> Motion<Real>::decide_rigid() {
   ContactPhase<Real>& phase = start_phase();
   std::vector<int> resting, lingering;
   for (const int i : order_) {
-    // Left at this instant without speed: what the others do now may hold it back.
+    // Left at this instant without speed: the forces of the other stops may hold it back now.
     if (contact(i) == Contact::kDeparting && multiplicity(i) > 1 && multiplicity(i) != kLeftUntold)
       lingering.push_back(i);
     if (contact(i) != Contact::kTouching) continue;
@@ -53,9 +54,9 @@ std::optional<Arrival<Real>> Motion<Real>::decide_rigid() {
       continue;
     }
     const CurvePoint<Real> rate = phase.gap_rate(i, 1);
-    // The phase forgets what closed stops leave of the velocities: rounding of b.q'.
-    // And the instant is known to its rounding, in which a push changes the speed: at the end of a
-    // chatter, where nothing else moves, this is what is left of it.
+    // The phase does not keep velocities that closed stops do not allow: the rounding of b.q'. The
+    // instant is known to its rounding too, in which a push changes the speed: at the end of a
+    // chatter, where nothing else moves, that is all that is left of the speed.
     const Real located =
         std::numeric_limits<Real>::epsilon() * now_.instant.local * abs(free_push(i));
     const Real rounding = std::max<Real>(rate.noise, speed_rounding(i) + located + unseen_speed(i));
@@ -83,9 +84,9 @@ std::optional<Arrival<Real>> Motion<Real>::decide_rigid() {
   return {};
 }
 
-// What takes the structure off a stop and back by less than the rounding of the gap is not seen by
-// a flow that adds the gap up from its state: v^2 = 2 push rounding. The exact flow knows the gap
-// from its zero on.
+// Speed at which the structure leaves a stop and comes back within the rounding of the gap, which a
+// flow that forms the gap from its state does not see: v^2 = 2 push rounding. The exact flow knows
+// the gap from its zero on.
 template <class Real>
 Real Motion<Real>::unseen_speed(int i) const {
   using std::sqrt;
@@ -95,7 +96,7 @@ Real Motion<Real>::unseen_speed(int i) const {
   return sqrt(2 * push * gap_value(stop(i).row, now_.q, stop(i).gap).rounding);
 }
 
-// Without any rigid stop. `size`: of the terms that are summed.
+// q'' without any rigid stop. `size`: of the terms of the sum.
 template <class Real>
 RealVector<Real> Motion<Real>::free_acceleration(RealVector<Real>* size) const {
   if (turning_) return turning_acceleration(size);
@@ -130,7 +131,7 @@ RealVector<Real> Motion<Real>::accelerated(const RealVector<Real>& force) const 
       .template cast<Real>();
 }
 
-// What of an acceleration a joint leaves that does not turn.
+// Removes the part of an acceleration that a held joint does not allow.
 template <class Real>
 void Motion<Real>::hold_joint(RealVector<Real>& acceleration) const {
   const RealVector<Real> row = turning_->angle_row().template cast<Real>();
@@ -138,8 +139,8 @@ void Motion<Real>::hold_joint(RealVector<Real>& acceleration) const {
   acceleration -= (row.dot(acceleration) / row.dot(along)) * along;
 }
 
-// How a force at each of these stops acts on the push at each; unlike an impulse it does not turn a
-// joint that is held.
+// How a force at each of these stops acts on the push at each; unlike an impulse it does not rotate
+// a held joint.
 template <class Real>
 RealMatrix<Real> Motion<Real>::pressing(const std::vector<int>& stops) const {
   Matrix_ matrix = delassus(stops);
@@ -234,7 +235,7 @@ bool Motion<Real>::decide_resting(const std::vector<int>& resting) {
     else
       degenerate.push_back(i);
   }
-  // Who is left goes first: nobody is kept on a stop by one that is open.
+  // Stops that are left are decided first: an open stop keeps nothing in place.
   const std::vector<int> kept = decide_degenerate(pressed, std::move(degenerate));
   for (const int i : pressed) hold(i);
   for (const int i : kept) hold(i);
@@ -242,8 +243,7 @@ bool Motion<Real>::decide_resting(const std::vector<int>& resting) {
   return true;
 }
 
-// 1/s: by no more than this factor a derivative of a free motion is larger than the one before,
-// each term by term.
+// 1/s: bound on the ratio of a derivative of a free motion to the previous one, term by term.
 template <class Real>
 Real Motion<Real>::quickest_rate() const {
   using std::max;
@@ -253,14 +253,14 @@ Real Motion<Real>::quickest_rate() const {
   return rate;
 }
 
-// Neither pushed nor pulled: the push that follows decides, which depends on who else is held, by
-// its rate or, where that vanishes too, by the rate of that. Without any they stay where they are.
-// Lets go of those that are left; the rest of them.
+// Stops that neither press nor are left: decided by the rate of the push, which depends on the
+// other closed stops, or, where that vanishes too, by the next rate. Without any rate they stay as
+// they are. Lets go of those that are left; returns the rest.
 template <class Real>
 std::vector<int> Motion<Real>::decide_degenerate(std::vector<int> held, std::vector<int> stops) {
   std::vector<int> kept;
   constexpr int kUntold = 0, kStays = -1;
-  // The multiplicity of the zero at which the structure leaves the stop, where it does.
+  // The multiplicity of the zero at which the structure leaves the stop, if it does.
   const auto leaves = [&](int i) {
     if (!is_independent(i, held)) return kStays;  // kept there by others
     ContactPhase<Real>& phase = phase_of(held);
@@ -269,12 +269,12 @@ std::vector<int> Motion<Real>::decide_degenerate(std::vector<int> held, std::vec
     const CurvePoint<Real> jerk = phase.gap_rate(i, 3);
     if (jerk.value > jerk.noise) return 3;
     if (jerk.value < -jerk.noise) return kStays;
-    // Where nothing has a closed form no further rate is known; beside springs the motion tells.
+    // No further rate is known without a closed form; beside springs the motion itself decides.
     if (!phase.sees_ahead() || is_sprung()) return kUntold;
     return jerk.slope > quickest_rate() * jerk.noise ? 4 : kUntold;
   };
   const auto stays = [&](int i) { return leaves(i) <= 0; };
-  // Each pass keeps one more, so there are no more passes than stops.
+  // Each pass keeps one stop, so there are no more passes than stops.
   for (auto next = stops.begin(); next != stops.end(); next = stops.begin()) {
     next = std::find_if(stops.begin(), stops.end(), stays);
     if (next == stops.end()) break;
@@ -309,7 +309,7 @@ void Motion<Real>::let_go(int i, int multiplicity) {
   set(i, Contact::kDeparting, multiplicity);
 }
 
-// Whether the stop's row is no combination of those of the others.
+// Whether the stop's row is linearly independent of those in the list.
 template <class Real>
 bool Motion<Real>::is_independent(int i, const std::vector<int>& list) const {
   if (list.empty()) return true;
@@ -319,12 +319,12 @@ bool Motion<Real>::is_independent(int i, const std::vector<int>& list) const {
   const RealVector<Real>& row = stop(i).row;
   const RealVector<Real> share = PivotedLu<Real>(transposed_product<Real>(rows, rows))
                                      .solve(transposed_image<Real>(rows, row));
-  // Half of the digits: nearer rows could not be told apart by their forces.
+  // Half of the digits: the forces of nearer rows could not be separated.
   return (row - image<Real>(rows, share)).squaredNorm() >
          std::numeric_limits<double>::epsilon() * row.squaredNorm();
 }
 
-// Velocities with b.q' = 0 at every closed stop.
+// Sets b.q' = 0 at every closed stop.
 template <class Real>
 void Motion<Real>::rest_on_closed() {
   const std::vector<int> stops = closed();

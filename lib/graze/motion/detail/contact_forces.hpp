@@ -7,7 +7,7 @@
 
 namespace graze {
 
-// s seconds after the start of the phase, in this state: of every stop, N; 0 where it is open.
+// The force of every stop s seconds after the start of the phase, N; 0 where it is open.
 void contact_forces(const System& system, const ContactPhase<double>& phase, double s,
                     const State& state, std::vector<double>& forces);
 

@@ -1,5 +1,5 @@
-// The last events of a run: where they crowd together, which stops do what. A run that spends its
-// budget on them says so.
+// The last events of a run: where they crowd together, which stops have how many. Reported when a
+// run has spent its budget on them.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ class EventCrowd {
  public:
   void add(const Event& event);
   // "; the last 512 events took 3.1e-05 s: stop 2, 140 impacts at 1e-9 to 2e-7 m/s, ..", the
-  // busiest stops first. Empty where there are fewer, or they took a part of `span` (s) that is
-  // worth telling: then they are the motion.
+  // busiest stops first. Empty when there are fewer events, or when they took a large part of
+  // `span` (s): then they are ordinary motion.
   std::string sentence(double span, Units units) const;
 
  private:

@@ -15,13 +15,13 @@ namespace impact_detail {
 // Roundings of an approach speed b.q'.
 inline constexpr int kRoundings = 8;
 
-// Impacts at one instant that are looked at to see whether they ever end: those that do, end after
-// about pi over the angle between two stops; those that do not fall to the rounding of the speeds
-// geometrically.
+// Most impacts at one instant that are followed to see whether they end: sequences that end do so
+// after about pi over the angle between two stops; the others fall geometrically to the rounding of
+// the speeds.
 inline constexpr int kMostRepetitions = 1 << 16;
 
-// All of them at rest: six bits above the rounding of their speeds, where one may still be taken
-// for left while the other is not.
+// All are at rest at this many roundings of their speeds: six bits above, where one stop may still
+// count as left while the other does not.
 inline constexpr int kAtRest = 64;
 
 }  // namespace impact_detail
@@ -37,14 +37,14 @@ int Motion<Real>::lone_stop() const {
   return found >= 0 && approach_speed(found) > speed_rounding(found) ? found : -1;
 }
 
-// What impact() comes to on one stop that is approached: p = v- - v+.
+// The impact on a single stop that is approached: p = v- - v+.
 template <class Real>
 void Motion<Real>::impact_alone(int i) {
   const MetStop& s = stop(i);
   const Real speed = approach_speed(i), target = -s.restitution().at(speed) * speed;
   Real impulse = speed - target;
   push_back(s, impulse);
-  // Twice, as in apply().
+  // Two passes, as in apply().
   const Real left = approach_speed(i) - target;
   push_back(s, left);
   set(i, Contact::kTouching);
@@ -65,7 +65,7 @@ const std::vector<ImpactShare<Real>>& Motion<Real>::impact() {
   return shares_;
 }
 
-// On all stops that are touched.
+// The impact on all stops that are touched.
 template <class Real>
 void Motion<Real>::impact_together() {
   Touched touched = touched_stops();
@@ -73,7 +73,7 @@ void Motion<Real>::impact_together() {
   if (drives_back(touched, jump)) {
     const std::optional<RealVector<Real>> solved =
         solve_contacts(touched.acting, touched.speed, touched.rounding);
-    // Who comes to rest by impacts without end is held there by all of them.
+    // When impacts without end bring the structure to rest, all stops hold it together.
     if (solved && (solved->array() > 0).count() > 1 && comes_to_rest(touched))
       jump = {RealVector<Real>::Zero(touched.speed.size()), *solved};
   }
@@ -121,7 +121,7 @@ typename Motion<Real>::Touched Motion<Real>::touched_stops() const {
   touched.rounding.resize(k);
   for (Eigen::Index a = 0; a < k; ++a) {
     const int i = touched.stops[static_cast<std::size_t>(a)];
-    // On a stop that is held the structure is at rest; what is left of its speed is rounding.
+    // On a closed stop the structure is at rest; any speed is rounding.
     touched.speed[a] = is_held(i) ? Real(0) : approach_speed(i);
     touched.rounding[a] = speed_rounding(i);
   }
@@ -151,7 +151,7 @@ typename Motion<Real>::Jump Motion<Real>::jump_of(const Touched& touched) const 
   const Matrix_ acting = touched.acting(partakes, partakes);
   const RealVector<Real> rounding = touched.rounding(partakes);
   std::optional<RealVector<Real>> solved = solve_contacts<Real>(acting, undone(partakes), rounding);
-  // Stops that leave no room between them cannot all be left: then nothing rebounds.
+  // Stops that leave no room between them cannot all be left: then there is no rebound.
   if (!solved) {
     undone += jump.target;
     jump.target.setZero();
@@ -181,7 +181,7 @@ bool Motion<Real>::comes_to_rest(Touched touched) const {
     const Jump jump = jump_of(touched);
     touched.speed -= touched.acting * jump.impulse;
     touched.rounding += rounding_of_action(touched.acting, jump.impulse);
-    bool approached = false, resting = true;  // those hit already, with none still to be hit
+    bool approached = false, resting = true;  // any of them; all of them
     for (Eigen::Index a = 0; a < k; ++a) {
       const auto place = static_cast<std::size_t>(a);
       hit[place] = hit[place] || jump.impulse[a] > 0;
@@ -206,7 +206,7 @@ RealMatrix<Real> Motion<Real>::delassus(const std::vector<int>& stops) const {
   return matrix;
 }
 
-// Along the row itself where it can be: a rounded direction errs to the same side at every impact.
+// Uses the row itself if possible: a rounded direction has the same error at every impact.
 template <class Real>
 void Motion<Real>::push_back(const MetStop& s, const Real& amount) {
   if (s.norm2 > 0)
@@ -221,8 +221,8 @@ void Motion<Real>::push_back_from(const std::vector<int>& stops, const RealVecto
     push_back(stop(stops[a]), amounts[static_cast<Eigen::Index>(a)]);
 }
 
-// Twice: row.direction = 1 and the solution of several contacts hold to rounding only, and err to
-// the same side at every impact. `impulse` becomes what was applied.
+// Two passes: row.direction = 1 and the solution of several contacts hold to rounding only, with
+// the same error at every impact. `impulse` becomes the impulse that was applied.
 template <class Real>
 void Motion<Real>::apply(const std::vector<int>& touched, const RealVector<Real>& target,
                          RealVector<Real>& impulse) {

@@ -1,5 +1,5 @@
-// The impulse of every stop in equal windows of time: what a force is seen by where impacts, which
-// have none, are among what acts.
+// The impulse of every stop in equal windows of time, which stands for its force where there are
+// impacts.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,13 @@ namespace graze {
 
 class ImpulseWindows {
  public:
-  // From a time on, s.
+  // `from`: start of the first window, s.
   ImpulseWindows(std::size_t stops, double from, const ForceWindows& windows)
       : from_(from),
         windows_(windows),
         impulses_(stops, std::vector<double>(static_cast<std::size_t>(windows.count))) {}
 
-  // N s, at a time not before the first window.
+  // Adds an impulse, N s, at a time not before the first window.
   void add(int stop, double time, double impulse) {
     impulses_[static_cast<std::size_t>(stop)][index(time)] += impulse;
   }
@@ -36,10 +36,10 @@ class ImpulseWindows {
     }
   }
 
-  // Means over the windows that so much time has filled, s.
+  // Means over the windows that lie wholly within `duration`, s.
   StopForces forces(double duration) const {
     StopForces result{from_, windows_.length, {}};
-    // The end of a run is rounded; a window that is filled in part has no mean.
+    // The end of a run is rounded; a partly filled window has no mean.
     constexpr double kRounding = 1e-9;
     const auto filled = std::min(static_cast<std::size_t>(duration / windows_.length + kRounding),
                                  impulses_.empty() ? 0 : impulses_.front().size());

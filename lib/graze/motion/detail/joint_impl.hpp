@@ -1,9 +1,9 @@
 // Definitions of motion.hpp: the joint of a hub with Coulomb friction.
 //
-//   forward, backward: it turns, against the whole of the friction, until its rate is zero;
-//   held: it stands still while what would turn it, f, is no more than the friction.
+//   forward, backward: it rotates, against the whole of the friction, until its rate is zero;
+//   held: it is at rest while the torque on it, f, is no more than the friction.
 //
-// An impulse is over before friction can act: an impact turns a joint that is held.
+// An impulse is over before friction can act: an impact rotates a joint that is held.
 #pragma once
 
 #include <cmath>
@@ -18,12 +18,12 @@ void Motion<Real>::set_joint(Joint joint) {
   now_.joint = joint;
   phase_ = nullptr;
   turning_->set_joint(joint);
-  // Where it is held now it was not before: at another angle.
+  // Phases with a held joint are for its old angle.
   if (joint == Joint::kHeld)
     std::erase_if(phases_, [](const auto& entry) { return entry.first.joint == Joint::kHeld; });
 }
 
-// After what may have changed the rate.
+// Called after anything that may have changed the rate.
 template <class Real>
 void Motion<Real>::look_at_joint() {
   if (!has_friction()) return;
@@ -33,7 +33,7 @@ void Motion<Real>::look_at_joint() {
     stop_joint();
 }
 
-// At a standstill: held, unless more than the friction turns it.
+// At rest the joint is held, unless the torque exceeds the friction.
 template <class Real>
 void Motion<Real>::stop_joint() {
   using std::abs;
@@ -47,13 +47,13 @@ void Motion<Real>::stop_joint() {
     set_joint(torque > 0 ? Joint::kForward : Joint::kBackward);
 }
 
-// Of the hub, rad/s, or of that.
+// Rate of the hub, rad/s; with accelerations its angular acceleration.
 template <class Real>
 Real Motion<Real>::hub_rate(const RealVector<Real>& rates) const {
   return turning_->angle_row().template cast<Real>().dot(rates);
 }
 
-// `forward`: what is left of the friction of a held joint against that is gone.
+// `forward`: the torque on a held joint exceeds the friction in that direction.
 template <class Real>
 void Motion<Real>::arrive_at_joint(bool forward) {
   if (now_.joint == Joint::kHeld)

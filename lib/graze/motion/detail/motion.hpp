@@ -3,9 +3,9 @@
 //   contact: a gap reaches zero at approach speed v = b.q' > 0; an impact is due,
 //            q'+ = q'- - D p,   p >= 0,  v+ + r v- <= 0,  p.(v+ + r v-) = 0
 //            over all stops touched at that instant (one stop: v+ = -r v-). A stop that is being
-//            left takes no part; thrown back onto it, the structure hits it next, at the same
-//            instant. Where such impacts would never end (the corner between two stops, reached by
-//            ever quicker impacts on both) they are summed: v+ = 0;
+//            left takes no part; if thrown back onto it, the structure hits it next, at the same
+//            instant. Where such impacts would never end (in the corner between two stops, hit
+//            alternately and ever faster) they are summed: v+ = 0;
 //   stick:   on a stop at zero speed and pushed; its contact force holds it from then on;
 //   release: the first instant at which the contact force of a closed stop falls through zero;
 //   entry:   a compliant stop is reached and its spring compressed from then on; nothing jumps;
@@ -60,13 +60,13 @@ class Motion {
          const RealVector<Real>& qdot, const std::optional<StepSetting>& steps = {});
   Motion(const System& system, const MotionState<Real>& state,
          const std::optional<StepSetting>& steps = {});
-  // Goes on from there, as a motion that is made from it.
+  // Goes on from this state, as a motion made from it would.
   void go_on_from(const MotionState<Real>& state);
-  // Where a flight is integrated step by step it ends undecided once this is requested.
+  // A flight that is integrated step by step ends undecided once this is requested.
   void stop_on(const StopSignal& stop) { stop_ = stop; }
   // From now on depths of springs beyond this one, m, are located (StepFlow::deepest).
   void tell_depths_beyond(double depth) { told_depth_ = depth; }
-  // From now on this stop is not looked at, as if it were not there; none: all are.
+  // From now on this stop is ignored; nullopt: none is.
   void leave_out(std::optional<int> stop);
   Motion(const Motion&) = delete;
   Motion& operator=(const Motion&) = delete;
@@ -77,14 +77,14 @@ class Motion {
   Arrival<Real> fly(const Real& until, const Real& horizon);
   Arrival<Real> fly(const Real& until) { return fly(until, until); }
 
-  // Applies the impact that is due after kContact; the shares of all stops touched, until the next
-  // one.
+  // Applies the impact that is due after kContact; returns the shares of all stops touched, valid
+  // until the next impact.
   const std::vector<ImpactShare<Real>>& impact();
 
-  // Right after an impact: whether what is left of a chatter can be summed. It can where the last
-  // impact was at no more than `closure_speed` (m/s), and the pushes outlive the tail with nothing
-  // else happening meanwhile. Then the structure is put to rest on the stop, or on the several
-  // stops that throw it at each other; the error of what follows is of second order in the speed.
+  // Right after an impact: sums the tail of a chatter if possible. It is when the last impact was
+  // at no more than `closure_speed` (m/s), and the pushes outlast the tail with no other event
+  // meanwhile. Then the structure is put to rest on the stop, or on the several stops that throw it
+  // at each other; the error of the later motion is of second order in the speed.
   std::optional<ClosedChatter<Real>> close_chatter(const std::vector<ImpactShare<Real>>& shares,
                                                    const Real& closure_speed);
   // The same on one stop, whatever the speed, after an impact with restitution r that left at speed
@@ -92,8 +92,8 @@ class Motion {
   //   duration = 2 v+/(a_n (1 - r)),   duration * |d a_n/dt| <= a_n/2.
   std::optional<ClosedChatter<Real>> close_chatter(int stop, const Real& restitution);
   // Puts the structure to rest on the several stops that throw it at each other at no more than
-  // `speed` (m/s), where all of them would press; for motions in which what passes at such speeds
-  // takes no time worth telling. Returns whether there are such stops.
+  // `speed` (m/s), where all of them would press; for motions in which events at such speeds take a
+  // negligible time. Returns whether there are such stops.
   bool rest_together(const Real& speed);
 
   const Instant<Real>& instant() const { return now_.instant; }
@@ -102,25 +102,25 @@ class Motion {
   const MotionState<Real>& state() const { return now_; }
   // The state from which the last arc was flown: a motion made from it flies the same arc again.
   const MotionState<Real>& departure() const { return departure_; }
-  // Whether something of the present instant (impact, sticking, release) is still to be decided or
-  // handed out.
+  // Whether an event of the present instant (impact, sticking, release) is still to be decided or
+  // reported.
   bool has_pending_events() const { return undecided_ || !changes_.empty(); }
   bool is_closed(int stop) const { return contact(stop) == Contact::kClosed; }
   bool is_closed_anywhere() const;
   // Whether a spring is compressed.
   bool is_sprung() const { return !springs().empty(); }
-  // The force of a compressed spring at the present instant, N; 0 where it is not.
+  // The force of a compressed spring at the present instant, N; 0 when it is not compressed.
   Real spring_force(int stop) const;
-  // Energy stored in it, J; 0 at the surface.
+  // Energy stored in the spring, J; 0 at the surface.
   double spring_energy(int stop) const;
   const std::string& refusal() const { return refusal_; }
-  // Of the right-hand side of the equations of motion, by a motion integrated step by step.
+  // Evaluations of the equations of motion, by a motion integrated step by step.
   long long step_evaluations() const;
   // The clock: forcing period and phase.
   const ExactFlow<Real>& flow() const { return clock_; }
-  // The phase and arc flown last, from its own start.
+  // The last phase flown and its arc, from its own start.
   const ContactPhase<Real>& flown() const { return *flown_; }
-  // The gap at a stop along the arc that starts now, for `window` seconds; holds until it is flown.
+  // The gap at a stop along the arc that starts now, for `window` seconds; valid until it is flown.
   const ArcCurve<Real>& gap_ahead(int stop, const Real& window);
   // Force between structure and stop at the present instant, N; 0 where it is open.
   Real contact_force(int stop) { return is_closed(stop) ? force(stop) : spring_force(stop); }
@@ -149,7 +149,7 @@ class Motion {
     ArrivalKind kind;
     int stop;
   };
-  // What an event has changed that other contacts go by.
+  // What an event has changed abruptly, for the other contacts to be decided again.
   enum class Jumped { kVelocities, kForces };
   void adopt_system();
   const MetStop& stop(int i) const { return stops_[static_cast<std::size_t>(i)]; }
@@ -159,16 +159,16 @@ class Motion {
     return contact(i) == Contact::kClosed || contact(i) == Contact::kLocked;
   }
   void set(int i, Contact contact, int multiplicity = 0);
-  // What of the approach speed may be rounding, m/s.
+  // Bound on the rounding of the approach speed, m/s.
   Real speed_rounding(int i) const;
   RealVector<Real> free_acceleration(RealVector<Real>* size = nullptr) const;
-  // Of a structure that turns; its torque is that of the present instant.
+  // The same on a rotating hub, under the torque of the present instant.
   RealVector<Real> turning_acceleration(RealVector<Real>* size) const;
   RealVector<Real> accelerated(const RealVector<Real>& force) const;
   void hold_joint(RealVector<Real>& acceleration) const;
   Real hub_rate(const RealVector<Real>& rates) const;
   Matrix_ pressing(const std::vector<int>& stops) const;
-  // Directions of impulses at the present shape of a structure that turns.
+  // Sets the directions of impulses for the present shape on a rotating hub.
   void turn_directions();
   Real free_acceleration(Eigen::Index mode, const Real& cosine, Real* size) const;
   Real forcing_cosine() const;
@@ -176,7 +176,7 @@ class Motion {
   Real unseen_speed(int stop) const;
   // row.q'' without any stop, m/s^2.
   Real free_push(int stop) const;
-  // What of a push row.q'' may be rounding, by the size of the terms that are summed, m/s^2.
+  // Bound on the rounding of a push row.q'', by the size of its terms, m/s^2.
   Real push_rounding(int i, const RealVector<Real>& size) const;
   bool touches(int i) const;
   bool is_touched(int i) const;
@@ -195,7 +195,7 @@ class Motion {
   void compress(int stop);
   void judge_again(Jumped what);
   void arrive_at_spring(Arrival<Real>& arrival);
-  // Of the acceleration, by the springs that are compressed.
+  // Adds the acceleration by the compressed springs.
   void add_spring_forces(RealVector<Real>& acceleration, RealVector<Real>* size) const;
   ContactPhase<Real>& start_phase();
   void start_at_now(ContactPhase<Real>& phase) const;
@@ -224,14 +224,14 @@ class Motion {
   void rest_on_closed();
   bool is_independent(int stop, const std::vector<int>& of) const;
 
-  // The stops touched at this instant: approach speeds (m/s; 0 where closed), what of them is
-  // rounding, and D.
+  // The stops touched at this instant: approach speeds (m/s; 0 where closed), their rounding, and
+  // D.
   struct Touched {
     std::vector<int> stops;
     RealVector<Real> speed, rounding;
     Matrix_ acting;
   };
-  // What an impact does at each: the speed it leaves where it acts, and p; m/s.
+  // An impact at each of them: the speed after it where it acts, and p; m/s.
   struct Jump {
     RealVector<Real> target, impulse;
   };
@@ -239,13 +239,13 @@ class Motion {
     return touched.speed[a] < -touched.rounding[a];
   }
   Touched touched_stops() const;
-  // The impact on those that are approached or at rest.
+  // The impact on the stops that are approached or at rest.
   Jump jump_of(const Touched& touched) const;
   // Whether that throws the structure back onto a stop that it is leaving.
   bool drives_back(const Touched& touched, const Jump& jump) const;
   // Whether impacts at this instant then follow each other without end, down to rest.
   bool comes_to_rest(Touched touched) const;
-  // The stop of an impact that concerns it alone; -1: others are touched or held too.
+  // The stop of an impact that involves it alone; -1: others are touched or held too.
   int lone_stop() const;
   void impact_alone(int stop);
   void impact_together();
@@ -290,7 +290,7 @@ class Motion {
   LinearSystem<Real> linear_;
   mutable std::optional<TurningStructure> turning_;
   std::vector<MetStop> stops_;
-  // In which rigid stops are looked at: the same however they are listed; then the compliant ones.
+  // Rigid stops in an order that does not depend on their listing; then the compliant ones.
   std::vector<int> order_, compliant_, all_;
   std::optional<int> left_out_;
   std::vector<int> looked_at_;  // all but that
@@ -304,12 +304,14 @@ class Motion {
   ContactPhase<Real>* phase_ = nullptr;  // of the closed stops; null until it is looked up
   ContactPhase<Real>* flown_ = nullptr;
   std::vector<Real> sure_;        // be_sure_of(), of every stop; empty: nothing is known
-  RealVector<Real> sure_speeds_;  // with which velocities the flight starts
+  RealVector<Real> sure_speeds_;  // velocities at the start of that flight
   bool undecided_ = false;        // some stop is touching
   bool recheck_ = false;          // closed stops have felt an impulse
-  Real vanished_ = 0;             // s, the flight at whose end forces of closed stops were gone
+  Real vanished_ = 0;             // s, duration of the flight at whose end forces of closed stops
+                                  // vanished
   std::vector<int> entered_;      // springs at whose surface the structure is at this instant
-  std::vector<int> not_told_;     // stops that are held though no derivative tells whether they are
+  std::vector<int> not_told_;     // stops that are held while no derivative shows whether they
+                                  // press
   std::vector<Change> changes_;
   std::vector<ImpactShare<Real>> shares_;  // of the last impact
   int arrivals_at_once_ = 0;               // arrivals without flight in a row

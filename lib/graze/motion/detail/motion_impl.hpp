@@ -23,14 +23,14 @@ namespace graze {
 namespace motion_detail {
 
 // Arrivals in a row without any flight: each stop may be hit, closed and opened a few times at one
-// instant; a motion that does not get away from it after this many cannot be decided.
+// instant; after this many the motion counts as undecided.
 inline constexpr int kMostArrivalsAtOnce = 1000;
 
-// Phases that are kept, of so many sets of closed stops and compressed springs: those of many stops
-// are more than memory holds.
+// Number of phases that are cached, one for each set of closed stops and compressed springs; with
+// many stops there are more than memory holds.
 inline constexpr std::size_t kMostPhases = 64;
 
-// Whether stop a comes before stop b in an order that knows nothing of how they are listed.
+// Whether stop a comes before stop b in an order that does not depend on how they are listed.
 inline bool precedes(const Stop& a, const Stop& b) {
   for (Eigen::Index j = 0; j < a.row.size(); ++j)
     if (a.row[j] != b.row[j]) return a.row[j] < b.row[j];
@@ -150,7 +150,7 @@ ContactPhase<Real>& Motion<Real>::phase_of(const std::vector<int>& closed) {
   return phase;
 }
 
-// The one that was asked for longest ago; what is flown, and what was flown last, are kept.
+// Drops the phase that was used longest ago; the present and the last one are kept.
 template <class Real>
 void Motion<Real>::forget_phase() {
   auto oldest = phases_.end();
@@ -201,8 +201,8 @@ Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
   }
   if (!arrival && !(until > now_.instant.local)) arrival = stay();
   if (!arrival) arrival = arrive(search(until, horizon), until);
-  // To be asked for pending events alone is no progress, but is not counted; a flight that the
-  // clock does not feel is none either.
+  // A call for pending events alone is no progress, but is not counted; a flight too short to
+  // advance the clock is no progress either.
   if (now_.instant.period != start.period || now_.instant.local != start.local)
     arrivals_at_once_ = 0;
   else if (arrival->kind != ArrivalKind::kTime)
@@ -219,7 +219,7 @@ Arrival<Real> Motion<Real>::fly(const Real& until, const Real& horizon) {
   return *arrival;
 }
 
-// A stop that makes the phase what it is; -1: none does, it turns with a hub.
+// A stop that belongs to the key of the phase; -1: there is none, as on a rotating hub alone.
 template <class Real>
 int Motion<Real>::first_of(const ContactPhase<Real>& phase) {
   if (!phase.closed().empty()) return phase.closed().front();
@@ -250,7 +250,7 @@ Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
   if (std::exchange(eventful_, false)) audit_forces();
   if (broken_) return *broken_;
   const Real left = until - now_.instant.local;
-  // What was known of a flight with other velocities is not of this one.
+  // Certainty about a flight with other velocities does not apply to this one.
   if (!sure_.empty() && sure_speeds_ != now_.qdot) sure_.clear();
   const Arrival<Real> arrival = phase.first_event(
       now_, {left, horizon - now_.instant.local, looked_at_, stop_, told_depth_, sure_});

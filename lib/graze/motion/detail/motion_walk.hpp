@@ -1,6 +1,6 @@
-// One walk along a motion: what simulations, segments, settling motions, fits and reference runs
-// share. It flies from event to event, applies the impacts, sums the tails of chatters, and hands
-// out what happens one thing at a time, in the order of time.
+// A walk along a motion, used by simulations, trajectory segments, settling motions, fits and
+// reference runs. It flies from event to event, applies the impacts, sums the tails of chatters,
+// and reports one event at a time, in the order of time.
 #pragma once
 
 #include <optional>
@@ -12,15 +12,15 @@
 
 namespace graze {
 
-// Whether the stops of a tail are handed out as sticking when it is over, or at once, as the motion
-// has it.
+// Whether the stops of a tail are reported as sticking when the tail is over, or at once, as the
+// motion has it.
 enum class Tails { kTold, kUntold };
 
 enum class WalkStep {
-  kDeparture,   // an arc is about to be flown, or what an instant leaves open to be decided
-  kFlight,      // that is done; what lies at its end comes next
+  kDeparture,   // an arc is about to be flown, or an open decision of an instant to be made
+  kFlight,      // that is done; the event at its end comes next
   kImpact,      // at stops that were hit; the motion has left them
-  kChatter,     // of which that was the last impact told: its tail is summed
+  kChatter,     // the impact just reported was the last of a chatter whose tail is summed
   kStick,       // a stop holds the structure from now on; where a tail was summed, it is over
   kRelease,     // of a stop
   kEntry,       // into a compliant stop
@@ -34,41 +34,41 @@ enum class WalkStep {
 template <class Real>
 class MotionWalk {
  public:
-  // Refers to the motion, which nobody else moves. `closure_speed`, m/s: see
+  // Refers to the motion, which must not be moved otherwise. `closure_speed`, m/s: see
   // Motion::close_chatter. `tail`: of a chatter that is summed already.
   MotionWalk(const System& system, Motion<Real>& motion, const Real& closure_speed,
              Tails tails = Tails::kTold, std::optional<ChatterTail> tail = {});
 
-  // The next thing that happens, at most up to `end`. Flights are cut at the end of a forcing
-  // period, of a tail, and after longest_flight() of scale.hpp, whichever is first. One that `end`
-  // cuts is searched as if it went on: a motion that goes on from the cut finds the same to the
-  // last bit.
+  // The next step, at most up to `end`. Flights are cut at the end of a forcing period, of a tail,
+  // and after longest_flight() of scale.hpp, whichever is first. A flight that `end` cuts is
+  // searched as if it went on: a motion that goes on from the cut gets the same result to the last
+  // bit.
   WalkStep next(const Instant<Real>& end);
 
-  // The stop at which it happens.
+  // The stop of the event.
   int stop() const { return stop_; }
-  // Departure and flight: whether an instant is decided, and no arc flown; whether the arc is cut
-  // by the end; where it begins, and where it ends unless something happens before (s on the local
-  // clock).
+  // For departure and flight: whether only an instant is decided, without an arc; whether the arc
+  // is cut by the end; where it begins, and where it ends unless an event happens before (s on the
+  // local clock).
   bool is_at_once() const { return at_once_; }
   bool is_cut() const { return cut_; }
   const Instant<Real>& departure() const { return departure_; }
   const Real& until() const { return until_; }
-  // Flight, and what lies at its end.
+  // For a flight and the event at its end.
   const Arrival<Real>& arrival() const { return arrival_; }
-  // Impact and chatter: the shares of the impact, and the velocities before it.
+  // For impact and chatter: the shares of the impact, and the velocities before it.
   const std::vector<ImpactShare<Real>>& shares() const { return *shares_; }
   const RealVector<Real>& qdot_before() const { return qdot_before_; }
-  // Chatter.
+  // For a chatter.
   const ClosedChatter<Real>& closed() const { return *closed_; }
-  // A main clause.
+  // The reason of a failure, as a main clause.
   std::string failure() const;
 
-  // Of the chatter that was summed, until it is over.
+  // The tail of the chatter that was summed, until it is over.
   const std::optional<ChatterTail>& tail() const { return tail_; }
-  // Whether a stop holds the structure, and that was handed out.
+  // Whether a stop holds the structure and this was reported.
   bool is_stuck(int stop) const { return motion_.is_closed(stop) && !is_in_tail(stop); }
-  // Whether it does, but that will be handed out when the tail is over.
+  // Whether it does, but will only be reported when the tail is over.
   bool is_in_tail(int stop) const { return tail_ && tail_->holds(stop); }
 
  private:
@@ -84,7 +84,7 @@ class MotionWalk {
   bool alone_;             // a single stop
   Tails tails_;
   std::optional<ChatterTail> tail_;
-  std::vector<int> told_;  // stops of a tail that is over, still to be handed out
+  std::vector<int> told_;  // stops of a tail that is over, still to be reported
 
   int stop_ = -1;
   enum class Due { kDeparture, kFlight, kWhatLiesAtItsEnd, kTail };

@@ -1,12 +1,12 @@
 // Definitions of motion.hpp: rigid stops on which the structure rests beside springs that are only
 // just entered.
 //
-// Neither the push nor its rate tells whether such a stop holds the structure or is left: the
-// springs press as higher powers of time, under Hertz's law not even as whole ones. The structure
-// is held there, and the motion tells, as it does of springs: the first instant at which a contact
-// force is more than its error (WalkingFlow::tells) shows the lowest power that does not vanish.
-// The pushes there, which are those of that power, are shared out by complementarity; the motion
-// then begins again at the same instant.
+// Neither the push nor its rate decides whether such a stop holds the structure or is left: the
+// springs act as higher powers of time, under Hertz's law with exponents that are not integers. The
+// structure is held there, and the motion itself decides, as for springs: the first instant at
+// which a contact force exceeds its error (WalkingFlow::tells) shows the lowest power that does not
+// vanish. The pushes at that instant, which have that power, are shared by complementarity; the
+// motion then begins again at the same instant.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,8 @@
 
 namespace graze {
 
-// Of what is held, unless nothing moves it there. Nobody is told that it is held before it is
-// known.
+// For held stops in not_told_, unless nothing moves the structure there. That they hold is reported
+// only once it is known.
 template <class Real>
 void Motion<Real>::ask_the_motion() {
   if (not_told_.empty() || turning_) return;
@@ -51,7 +51,7 @@ std::vector<int> Motion<Real>::untold() const {
   return list;
 }
 
-// What is held by no force so far is decided again where anything has changed.
+// Closed stops without a decided contact force are decided again after every change.
 template <class Real>
 void Motion<Real>::ask_again() {
   if (compliant_.empty()) return;
@@ -59,7 +59,7 @@ void Motion<Real>::ask_again() {
     if (contact(i) == Contact::kClosed && multiplicity(i) > 0) undecided_ = recheck_ = true;
 }
 
-// After `arrival.sure` seconds.
+// Decides by the contact forces `arrival.sure` seconds after the start of the flight.
 template <class Real>
 void Motion<Real>::tell_forces(Arrival<Real>& arrival) {
   const std::vector<int> held = closed();
@@ -85,7 +85,7 @@ void Motion<Real>::tell_forces(Arrival<Real>& arrival) {
   for (Eigen::Index a = 0; a < k; ++a) {
     const int i = held[static_cast<std::size_t>(a)];
     if (multiplicity(i) == 0) continue;
-    // The one that was told is decided.
+    // The stop of the arrival is decided for certain.
     const bool is_asked = i == arrival.stop;
     if ((*shared)[a] > (is_asked ? summed[a] : rounding[a])) {
       hold(i);
@@ -98,8 +98,9 @@ void Motion<Real>::tell_forces(Arrival<Real>& arrival) {
   phase_ = nullptr;
 }
 
-// Where a contact force has come to zero and located the instant, those of other closed stops that
-// are zero within rounding came to it together: bodies in a row, or beside a spring that is left.
+// When a contact force has reached zero and located the instant, the forces of other closed stops
+// that are zero within rounding have vanished with it: bodies in a row, or beside a spring that is
+// left.
 template <class Real>
 void Motion<Real>::vanish_together(const Real& flight) {
   using std::abs;
@@ -121,8 +122,8 @@ void Motion<Real>::vanish_together(const Real& flight) {
   if (!recheck_) vanished_ = 0;
 }
 
-// The size of the terms, m/s^2, whose rounding is that of the acceleration by where and when the
-// last flight was found to end.
+// The size, m/s^2, whose rounding is the error of the acceleration by the rounding of place and
+// time at the end of the last flight.
 template <class Real>
 RealVector<Real> Motion<Real>::located_size() const {
   using std::abs;
@@ -147,7 +148,7 @@ RealVector<Real> Motion<Real>::located_size() const {
   return size;
 }
 
-// What it kept at rest elsewhere is to be decided again.
+// Stops that it kept at rest elsewhere are to be decided again.
 template <class Real>
 void Motion<Real>::let_loose(int i, int multiplicity) {
   set(i, Contact::kDeparting, multiplicity);

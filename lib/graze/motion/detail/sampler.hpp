@@ -1,4 +1,4 @@
-// Hands out the samples of a run, arc by arc.
+// Passes the samples of a run to its listeners, arc by arc.
 #pragma once
 
 #include <functional>
@@ -14,10 +14,10 @@ class Sampler {
   Sampler(const System& system, const RunListeners& listeners, bool energy)
       : system_(system), listeners_(listeners), energy_(energy) {}
 
-  // Those of the arc that the motion has flown last, which began at `start_time` and took `flight`,
-  // s; `samples` counts them from t = 0 on, those before the first that is wanted too. `balance`:
-  // as it stands at the start of the arc. False as soon as `goes_on` says so: an arc can hold any
-  // number of samples.
+  // Passes on the samples of the last arc flown, which began at `start_time` and took `flight`, s.
+  // `samples` counts them from t = 0 on, including those before the first that is wanted.
+  // `balance`: at the start of the arc. Returns false as soon as `goes_on` does: an arc can hold
+  // any number of samples.
   bool hand_out(Motion<double>& motion, double start_time, double flight,
                 const EnergyBalance& balance, long long& samples,
                 const std::function<bool()>& goes_on);
@@ -26,7 +26,7 @@ class Sampler {
   const System& system_;
   const RunListeners& listeners_;
   bool energy_;
-  Sample sample_;  // the last one handed out; kept for the memory
+  Sample sample_;  // the last sample; kept to reuse its memory
 };
 
 }  // namespace graze

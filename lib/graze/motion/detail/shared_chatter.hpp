@@ -1,5 +1,5 @@
-// Chatter that several stops share: thrown off one, the structure meets another, ever more slowly,
-// until all of them hold it.
+// Chatter on several stops: thrown off one, the structure meets another, ever more slowly, until
+// all of them hold it.
 #pragma once
 
 #include <optional>
@@ -19,14 +19,14 @@ struct SharedChatter {
   std::vector<Restitution> restitutions;
 };
 
-// The largest speed that a stop is met at or left with, or would be met at after a fall under the
-// force that will hold it, m/s.
+// The largest speed, m/s, at which a stop is met or left, or would be met after a fall under the
+// force that will hold it.
 double speed_left(const SharedChatter& chatter);
 
-// How long it takes until the structure is at rest on all of them, s; nothing where an impact of
-// more than `closure_speed` (m/s) is among those left, or where no end is in sight. Followed until
-// a millionth of the speed is left; where that takes too many impacts, what is left of the time is
-// judged by the part of the speed that has gone.
+// Time until the structure is at rest on all of them, s. Returns nullopt when a later impact is
+// faster than `closure_speed` (m/s), or when no end is in sight. The motion is followed until a
+// millionth of the speed is left; where that takes too many impacts, the remaining time is
+// extrapolated from the part of the speed that is gone.
 std::optional<double> time_to_rest(const SharedChatter& chatter, double closure_speed);
 
 }  // namespace graze

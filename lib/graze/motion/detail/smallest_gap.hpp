@@ -1,5 +1,5 @@
-// The smallest gap of a run, m: below zero by as much as a spring was compressed, or a rigid stop
-// penetrated, which no motion does by more than rounding.
+// The smallest gap of a run, m: negative by the depth at a spring, or by the penetration of a rigid
+// stop, which is never more than rounding.
 #pragma once
 
 #include "graze/flow/exact/detail/arc_curve.hpp"
@@ -9,10 +9,10 @@
 namespace graze {
 
 void note_gap(double gap, RunTotals& totals);
-// That at displacements q; within its rounding of zero it is zero.
+// Notes the gap at displacements q; within its rounding of zero it is zero.
 void note_gap_at(const Stop& stop, const Vector& q, RunTotals& totals);
-// The smallest minimum along a flight: beyond the first contact it is not part of the motion; the
-// contact itself is zero.
+// Notes the smallest minimum along a flight. Minima beyond the first contact are no part of the
+// motion; the contact itself is zero.
 void note_minimum(const ArcCurve<double>& gap, RunTotals& totals);
 
 }  // namespace graze

@@ -7,12 +7,12 @@
 //
 // Nothing jumps: an entry or a separation changes which forces act, and begins a new phase.
 //
-// A surface that is touched is entered or left by the first derivative of the gap that is more than
-// its rounding: the speed, the push, or its rate. Where none of them tells though something moves
-// the structure there (the force of another spring that has just been entered grows as a higher
-// power of time, and not as a whole one under Hertz's law) the motion tells it: the spring rests in
-// the phase, pressing where its surface is passed, until its depth is more than its error
-// (WalkingFlow::tells). It has been entered or left since the start of that flight.
+// The first derivative of the gap that exceeds its rounding decides whether a touched surface is
+// entered or left: the speed, the push, or its rate. The motion itself decides where none of them
+// does although the structure is moved there: the force of another spring that has just been
+// entered grows as a higher power of time, with an exponent that is no integer under Hertz's law.
+// The spring is then "resting" in the phase, and acts beyond its surface, until its depth exceeds
+// its error (WalkingFlow::tells). It counts as entered or left since the start of that flight.
 #pragma once
 
 #include <algorithm>
@@ -34,8 +34,8 @@ PhaseSprings Motion<Real>::springs() const {
   return springs;
 }
 
-// Beyond the surface, m; zero within the rounding of the gap, and where it has just been entered,
-// whatever is left of the rounding of bodies that have moved elsewhere.
+// Depth beyond the surface, m; zero within the rounding of the gap, and when the surface has just
+// been entered, whatever the rounding of bodies that have moved elsewhere.
 template <class Real>
 Real Motion<Real>::depth(int i) const {
   if (std::find(entered_.begin(), entered_.end(), i) != entered_.end()) return 0;
@@ -65,7 +65,7 @@ void Motion<Real>::add_spring_forces(RealVector<Real>& acceleration, RealVector<
   }
 }
 
-// Where the motion starts beyond a surface the spring acts from there.
+// A motion that starts beyond a surface is acted on by the spring from there.
 template <class Real>
 void Motion<Real>::begin_springs() {
   for (const int i : compliant_) {
@@ -86,9 +86,9 @@ void Motion<Real>::compress(int i) {
   phase_ = nullptr;
 }
 
-// The velocities have jumped at this instant, or the force of a spring has: every other contact is
-// judged again. Springs by their forces, which velocities change, here; what touches a surface, and
-// what closed stops hold, by decide().
+// After a jump of the velocities, or of the force of a spring, at this instant every other contact
+// is decided again: springs here, by their forces, which depend on velocities; touched surfaces and
+// closed stops by decide().
 template <class Real>
 void Motion<Real>::judge_again(Jumped what) {
   for (const int i : compliant_) {
@@ -98,10 +98,10 @@ void Motion<Real>::judge_again(Jumped what) {
         (before == Contact::kDeparting && now_.multiplicities[static_cast<std::size_t>(i)] > 1);
     if (rests || (before == Contact::kDeparting && what == Jumped::kVelocities))
       set(i, Contact::kTouching);
-    // Entered from rest before: what it does now is decided by the velocity.
+    // Entered from rest before: the velocity decides now.
     if (before == Contact::kCompressed && what == Jumped::kVelocities) set(i, before);
     if (what == Jumped::kForces || !stop(i).force().parts_early()) continue;
-    // At its surface the next phase says whether it is left.
+    // At its surface the next phase decides whether it is left.
     if ((before != Contact::kCompressed && before != Contact::kParted) || !(depth(i) > 0)) continue;
     compress(i);
     if (contact(i) != before)
@@ -111,7 +111,7 @@ void Motion<Real>::judge_again(Jumped what) {
   if (is_closed_anywhere()) undecided_ = recheck_ = true;
 }
 
-// Of those touched: approached they are entered, receded from they are left.
+// Of the touched springs, those that are approached are entered, those that recede are left.
 template <class Real>
 void Motion<Real>::decide_moving_springs() {
   for (const int i : compliant_) {
@@ -128,8 +128,8 @@ void Motion<Real>::decide_moving_springs() {
   }
 }
 
-// The others, at rest, once it is known what else presses: all of them by their pushes, then by the
-// rates of these, which those that were entered by then change.
+// Decides the springs touched at rest once the other forces are known: all of them by their pushes,
+// then by the rates of these, which depend on the springs entered by then.
 template <class Real>
 void Motion<Real>::decide_resting_springs() {
   using std::abs;
@@ -163,8 +163,7 @@ void Motion<Real>::decide_resting_springs() {
   phase_ = nullptr;
 }
 
-// What is at rest without any force stays so, unless a stop that is touched connects it with what
-// is not.
+// Modes at rest without any force stay at rest, unless a touched stop couples them to others.
 template <class Real>
 std::vector<bool> Motion<Real>::moving_modes() const {
   const Eigen::Index n = now_.q.size();
@@ -174,7 +173,7 @@ std::vector<bool> Motion<Real>::moving_modes() const {
   for (Eigen::Index j = 0; j < n; ++j)
     moves[static_cast<std::size_t>(j)] =
         now_.qdot[j] != 0 || acceleration[j] != 0 || (linear_.forced && linear_.amplitude[j] != 0);
-  // Each pass connects one stop at least.
+  // Each pass couples at least one stop.
   std::vector<int> apart;
   for (const int i : all_)
     if (contact(i) != Contact::kClear) apart.push_back(i);
@@ -197,7 +196,7 @@ bool Motion<Real>::is_moved(int i, const std::vector<bool>& moves) const {
   return false;
 }
 
-// The located instant is rounded; what was reached there is not.
+// The located instant is rounded, but the surface was reached exactly.
 template <class Real>
 void Motion<Real>::arrive_at_spring(Arrival<Real>& arrival) {
   const int i = arrival.stop;
@@ -209,8 +208,8 @@ void Motion<Real>::arrive_at_spring(Arrival<Real>& arrival) {
     be_sure_of(i, arrival.sure);
     return;
   }
-  // What leaves its surface from rest and is back at once does so by rounding, and so does what
-  // leaves it at a speed that its flight does not have: the motion tells.
+  // Leaving the surface from rest and being back at once is rounding, and so is leaving it at a
+  // speed that the flight does not have: the motion itself decides.
   const bool is_rounding = arrival.kind == ArrivalKind::kTouch
                                ? contact(i) == Contact::kDeparting
                                : multiplicity(i) > 1 && !(arrival.speed < -speed_rounding(i));
@@ -219,13 +218,13 @@ void Motion<Real>::arrive_at_spring(Arrival<Real>& arrival) {
     set(i, Contact::kLocked, 1);
     return;
   }
-  // The force is zero here, whatever it comes to from the rounded depth.
+  // The force is zero here, whatever the rounded depth would give.
   if (contact(i) == Contact::kParted && arrival.kind == ArrivalKind::kEntry) {
     set(i, Contact::kCompressed, 1);
   } else if (arrival.below && depth(i) > 0) {
     set(i, Contact::kParted, 1);
   } else {
-    // The surface, from either side.
+    // At the surface, from either side.
     settle_on(i, arrival.flight);
     if (arrival.kind == ArrivalKind::kContact) {
       arrival.kind = ArrivalKind::kTouch;
@@ -233,14 +232,14 @@ void Motion<Real>::arrive_at_spring(Arrival<Real>& arrival) {
     } else {
       set(i, arrival.speed < 0 ? Contact::kDeparting : Contact::kTouching,
           arrival.speed < 0 ? 1 : 0);
-      // What pulled to the last does so no longer.
+      // A dashpot that pulled up to this instant no longer does.
       if (arrival.kind == ArrivalKind::kSeparation && !stop(i).force().sets_in_smoothly())
         judge_again(Jumped::kForces);
     }
   }
 }
 
-// The flight that starts now does not meet the surface for so long, s.
+// The flight that starts now is known not to meet the surface for so long, s.
 template <class Real>
 void Motion<Real>::be_sure_of(int i, const Real& time) {
   if (sure_.empty() || sure_speeds_ != now_.qdot) sure_.assign(stops_.size(), Real(0));

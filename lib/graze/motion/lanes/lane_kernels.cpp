@@ -18,7 +18,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// How long the gap at stop i is open for certain, and whether it is met for certain within kBall.
+// How long the gap at stop i is certainly open, and whether it certainly closes within kBall.
 HWY_INLINE void look_at_stop(const LaneVector& lanes, std::size_t i) {
   const LaneColumns& c = *lanes.columns;
   const Numbers zero = number(0.0), s = lanes.get(LaneRow::kAt);
@@ -43,7 +43,7 @@ HWY_INLINE void look_at_stop(const LaneVector& lanes, std::size_t i) {
              hn::Max(known, hn::Add(s, clear_step(lanes, i, certain))));
 }
 
-// What one look at the gaps of a vector has found.
+// The result of one evaluation of the gaps of a vector.
 struct Look {
   Numbers until;    // s, nothing is met before
   Numbers hit;      // stop that is met first for certain
@@ -51,7 +51,7 @@ struct Look {
   Chosen doubtful;  // where a gap is within its rounding
 };
 
-// Where a stop is met for certain: before any other could be.
+// Where a stop is certainly met, and before any other could be.
 HWY_INLINE Look look_at_all(const LaneVector& lanes, Chosen search) {
   const std::size_t stops = lanes.columns->stops();
   const Chosen none = hn::AndNot(search, search);
@@ -81,7 +81,7 @@ HWY_INLINE LaneSet lane_set(Chosen chosen, std::size_t first) {
   return static_cast<LaneSet>(bits[0]) << first;
 }
 
-// They stay where their flight began.
+// These lanes go back to the start of their flight and leave.
 HWY_INLINE void leave(const LaneVector& lanes, Chosen leaves, LaneArrivals& arrivals) {
   lanes.keep(lanes.columns->row(LaneRow::kStage), leaves,
              number(static_cast<double>(LaneStage::kIdle)));
@@ -119,7 +119,7 @@ HWY_INLINE void finish_step(const LaneVector& lanes, Chosen chosen, Chosen begin
   go(lanes, hn::And(located, hn::Gt(contact, window)), LaneStage::kEnd, window);
 }
 
-// What one look of a vector at its gaps leads to, or a step of Halley's method.
+// One evaluation of the gaps of a vector and the step that follows, or a step of Halley's method.
 HWY_INLINE void search_lanes(const LaneVector& lanes, Chosen search, Chosen finish,
                              LaneArrivals& arrivals) {
   const Numbers s = lanes.get(LaneRow::kAt), window = lanes.get(LaneRow::kWindow);
@@ -157,7 +157,7 @@ HWY_INLINE void arrive(const LaneVector& lanes, Chosen contact, Chosen end, Chos
   leave(lanes, hn::AndNot(begins, arrived), arrivals);
 }
 
-// Arrivals wait for others, a quarter of a vector, as it does several in the time of one.
+// Arrivals are collected up to a quarter of a vector, since several cost as much time as one.
 HWY_INLINE void advance(const LaneVector& lanes, LaneArrivals& arrivals) {
   const Chosen contact = lanes.is_at(LaneStage::kContact), end = lanes.is_at(LaneStage::kEnd);
   const Chosen fresh = lanes.is_at(LaneStage::kBegin);
@@ -170,7 +170,7 @@ HWY_INLINE void advance(const LaneVector& lanes, LaneArrivals& arrivals) {
     arrive(lanes, contact, end, fresh, arrivals);
 }
 
-// Step by step for all vectors, so that one has its turn while another waits for a root or
+// Advances all vectors in turn, step by step, so that one works while another waits for a root or
 // quotient.
 void fly_lanes(const LaneColumns& columns, LaneArrivals& arrivals) {
   const std::size_t width = hn::Lanes(Lanes());

@@ -11,10 +11,10 @@
 namespace graze {
 namespace {
 
-// Of more modes a motion by itself takes several at a time through the vector unit
-// (term_kernels.hpp), and gains nothing from its neighbours.
+// With more modes a single motion fills the vector unit (term_kernels.hpp), so that lanes gain
+// nothing.
 constexpr int kMostLaneModes = 16;
-// Of more stops each look would ask too many for the sake of one.
+// With more stops each evaluation would compute too many gaps for the sake of one.
 constexpr std::size_t kMostLaneStops = 8;
 
 LaneSet bit(std::size_t lane) { return LaneSet{1} << lane; }
@@ -32,7 +32,7 @@ bool has_lane(const System& system, const ExactFlow<double>& flow) {
       return false;
     reach = std::max(reach, std::abs(stop.gap));
   }
-  // Without any gap the state decides on the form of the flow (ExactFlow::for_start).
+  // With all gaps 0 the state decides on the form of the flow (ExactFlow::for_start).
   if (!(reach > 0.0) || !(flow.period() <= longest_flight(system))) return false;
   if (flow.turns().quickest * flow.period() > kFarthestHalfAngle) return false;
   for (int j = 0; j < flow.modes(); ++j)

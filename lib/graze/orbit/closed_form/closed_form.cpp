@@ -10,8 +10,8 @@
 namespace graze {
 namespace {
 
-// What the state before the impact has to fulfil, velocities in units of each mode's own frequency:
-// the flow then turns and shrinks, no more.
+// The equations for the state before the impact, with velocities in units of each mode's own
+// frequency: the flow then only rotates and shrinks.
 struct RepeatedArc {
   Matrix matrix;  // I - E J
   Vector kick;    // E (0; d) W
@@ -19,7 +19,7 @@ struct RepeatedArc {
   Vector unit;    // of y-
 };
 
-// What an arc from rest ends with, (q; q'): R(phi) = cosine cos(phi) - sine sin(phi), and r_0.
+// End of an arc from rest, (q; q'): R(phi) = cosine cos(phi) - sine sin(phi), and r_0.
 struct FromRest {
   Vector cosine, sine, load;
 };
@@ -29,7 +29,7 @@ State state_of(const Vector& y) {
   return {y.head(n), y.segment(n, n)};
 }
 
-// Speeds from the equations of motion; contact remains.
+// Speeds from the equations of motion; the contact equation is left to be solved.
 ClosedForm from_motion(const RepeatedArc& arc, const LuFactors& lu, const FromRest& by) {
   const auto response = [&](const Vector& forced) {
     return Vector(lu.solve(forced.cwiseQuotient(arc.unit)).cwiseProduct(arc.unit));
@@ -46,7 +46,7 @@ ClosedForm from_motion(const RepeatedArc& arc, const LuFactors& lu, const FromRe
   return form;
 }
 
-// Contact and the equations of motion with a free impulse; that it is the law's remains.
+// Contact and the equations of motion with a free impulse; the law of impact is left to be solved.
 std::optional<ClosedForm> from_contact(const RepeatedArc& arc, const FromRest& by, double least) {
   const Eigen::Index n = arc.row.size();
   Matrix bordered = Matrix::Zero(2 * n + 1, 2 * n + 1);
@@ -61,7 +61,7 @@ std::optional<ClosedForm> from_contact(const RepeatedArc& arc, const FromRest& b
     right << forced.cwiseQuotient(arc.unit), gap / size;
     Vector y = lu.solve(right);
     y.head(2 * n) = y.head(2 * n).cwiseProduct(arc.unit);
-    return y;  // and the impulse, of no use but that it vanishes
+    return y;  // also the impulse, whose value is not used: it must vanish
   };
   const Vector cosine = response(by.cosine, 0.0), sine = response(by.sine, 0.0);
   const Vector load = response(by.load, 0.0), gap = response(Vector::Zero(2 * n), 1.0);
@@ -126,8 +126,8 @@ ClosedFormAnswer closed_form(const System& system, int stop_index, int period) {
   by.cosine -= by.load;
   by.sine << -motion.phase_rate.q, -motion.phase_rate.qdot;
 
-  // The solve errs by eps over its reciprocal condition number: below this it keeps less than half
-  // of its digits, and the other way may be better; below eps it keeps none.
+  // The solution has an error of eps over the reciprocal condition number: below this it keeps less
+  // than half of its digits, and the other way may be better; below eps it keeps none.
   constexpr double kNone = std::numeric_limits<double>::epsilon();
   const double half = std::sqrt(kNone);
   const LuFactors lu(arc.matrix);

@@ -9,16 +9,16 @@
 // gap. (R = (I - E) Y where there is a steady response Y; R exists at resonance too.) There are
 // two solutions where |kappa| > |gap|, a fold exactly where they meet.
 //
-// Of an undamped structure with r = 1, I - E J is singular: only at some phases can the motion
-// repeat, and then with any speed. kappa is infinite. Contact is then taken first: with an impulse
-// less by g than the law says,
+// For an undamped structure with r = 1, I - E J is singular: the motion can repeat at some phases
+// only, and then with any speed. kappa is infinite. Contact is then solved first: with an impulse
+// smaller by g than that of the law,
 //
 //   (I - E J) y- + E (0; d) g = Re(R e^{i phi}) + r_0,      b.q- = gap,
 //
 // is regular, and g = Re(gamma e^{i phi}) + g_0 + g_1 gap = 0 gives the phases.
 //
-// It starts the finder and referees shooting, continuation, multipliers and simulation; it knows
-// nothing of admissibility.
+// It gives starts to the finder and checks shooting, continuation, multipliers and simulation.
+// Admissibility is not considered.
 #pragma once
 
 #include <optional>
@@ -30,8 +30,8 @@
 namespace graze {
 
 struct ClosedForm {
-  // |kappa| cos(phi + arg kappa) = by_gap gap - moved. Lengths, m, with by_gap 1; where I - E J is
-  // singular -gamma, -g_0 and g_1 in their place, in units of W times a length.
+  // kappa| cos(phi + arg kappa) = by_gap gap - moved. Lengths, m, with by_gap 1; where I - E J is
+  // singular they are -gamma, -g_0 and g_1, in units of W times a length.
   Complex kappa;
   double by_gap = 1.0, moved = 0.0;
   ComplexVector response;  // y- = Re(response e^{i phi}) + rest + per_gap gap, (q; q'), 2N
@@ -47,8 +47,8 @@ struct ClosedFormAnswer {
   std::string why_not;  // a sentence where the closed form does not hold
 };
 
-// Closed form for impacts on `stop` every `period` forcing periods. Does not hold without forcing,
-// or where neither way of taking the equations is regular.
+// Closed form for impacts on `stop` every `period` forcing periods. Absent without forcing, or
+// where neither order of solving the equations is regular.
 ClosedFormAnswer closed_form(const System& system, int stop, int period);
 
 }  // namespace graze

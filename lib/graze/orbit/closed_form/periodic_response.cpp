@@ -28,7 +28,7 @@ class RepeatedMode {
     return Eigen::Vector2d(vv_ * q - qv_ * v, qq_ * v - vq_ * q) / determinant_;
   }
 
-  // Smallest singular value, at least, with velocities in units of `rate`.
+  // A lower bound on the smallest singular value, with velocities in units of `rate`.
   double smallest(double rate) const {
     const double size = std::hypot(std::hypot(qq_, vv_), std::hypot(qv_ * rate, vq_ / rate));
     return size > 0.0 ? std::abs(determinant_) / size : 0.0;
@@ -38,7 +38,7 @@ class RepeatedMode {
   double qq_, qv_, vq_, vv_, determinant_;
 };
 
-// The free motion of one mode over a while.
+// The free motion of one mode over some time.
 struct FreeStep {
   double qq = 1.0, qv = 0.0, vq = 0.0, vv = 1.0;
 };
@@ -164,8 +164,8 @@ State PeriodicResponse::impulse_state(int by, double s) const {
 }
 
 PeriodicResponseAnswer periodic_response(const System& system, int period) {
-  // The inverse of I - E errs by eps over its smallest singular value; below this it keeps less
-  // than half of its digits, and Newton's method would have to do what the reduction is for.
+  // The inverse of I - E has an error of eps over its smallest singular value; below this it keeps
+  // less than half of its digits, and the reduction would leave the work to Newton's method.
   const double least = std::sqrt(std::numeric_limits<double>::epsilon());
   const Eigen::Index n = system.modes();
   const ExactFlow<double> flow(system);

@@ -9,8 +9,8 @@
 namespace graze {
 namespace {
 
-// From here on the motions between all impacts are computed in one go: by pairs they cost as many
-// exponentials as there are pairs.
+// From this number of impacts on, the motions between all of them are computed together: by pairs
+// they cost as many exponentials as there are pairs.
 constexpr Eigen::Index kManyImpacts = 4;
 
 }  // namespace
@@ -18,7 +18,7 @@ constexpr Eigen::Index kManyImpacts = 4;
 struct PhaseProblem::Rows {
   Matrix g, h, h_rate;  // impulses: m, m/s, m/s^2 per m/s
   Vector forced, forced_rate, forced_acceleration, gap;
-  // By the phases, at fixed impulses: of forced - g u and of forced_rate - h u.
+  // Derivatives by the phases at fixed impulses: of forced - g u and of forced_rate - h u.
   Matrix contact_by_phases(const Vector& u, double frequency) const {
     return by_phases(u, h, forced_rate, frequency);
   }
@@ -27,7 +27,7 @@ struct PhaseProblem::Rows {
   }
 
  private:
-  // d/d theta_m of s_ij is (delta_im - delta_jm)/W; an impact's own impulse stays a lap behind.
+  // d/d theta_m of s_ij is (delta_im - delta_jm)/W; an impact's own impulse stays one orbit behind.
   static Matrix by_phases(const Vector& u, const Matrix& rate, const Vector& forced,
                           double frequency) {
     Matrix derivative = Matrix((forced / frequency).asDiagonal());
@@ -49,8 +49,8 @@ struct PhaseProblem::Impacts {
 
 PhaseProblem::PhaseProblem(const PeriodicResponse& response, std::vector<int> stops, double speed)
     : response_(&response), stops_(std::move(stops)), speed_(speed) {
-  // Where of the 1 of v_i less than half of its digits is left after its own impulse, the speeds
-  // are not to be had from their rates.
+  // Where an impact's own impulse cancels more than half of the digits of the 1 of v_i, the speeds
+  // cannot be computed from their rates.
   const double cancelled = std::sqrt(std::numeric_limits<double>::epsilon());
   from_contact_ = true;
   for (const int stop : stops_) {
@@ -99,7 +99,8 @@ Vector PhaseProblem::approach_speeds(const Matrix& h, const Vector& forced_rate,
     const Vector update = derivative->solve(v + h * impulses(v) - forced_rate);
     const double size = update.norm();
     v -= update;
-    // Near the solution every step squares the error; where it no longer does, rounding is reached.
+    // Near the solution every step squares the error; when it no longer shrinks, rounding is
+    // reached.
     if (size <= near && !(size < 0.5 * last)) return v;
     if (size == 0.0) return v;
     last = size;

@@ -71,7 +71,7 @@ Response response_rate(const System& system, const System& tangent, const Respon
 }
 
 std::vector<Eigenvalue> response_multipliers(const System& system) {
-  // Of argument and exponential, which the period multiplies.
+  // Roundings of argument and exponential, which grow with the period.
   constexpr double kRoundings = 4.0 * std::numeric_limits<double>::epsilon();
   const double period = system.period();
   std::vector<Eigenvalue> list;

@@ -17,23 +17,24 @@ struct Response {
 
   // Displacements and velocities at forcing phase theta, rad.
   State at(double theta, double frequency) const;
-  // How far a stop is from the motion, m; negative: by how much it penetrates.
+  // Distance of a stop from the motion, m; negative: the depth of penetration.
   double clearance(const Stop& stop) const;
-  // From the nearest of them; nothing where there are none.
+  // The smallest such distance; nullopt when there are no stops.
   std::optional<double> clearance(const std::vector<Stop>& stops) const;
 };
 
-// Nothing where there is none, or more than one: at an undamped resonance, of a free mass.
-// Requires forcing.
+// Returns nullopt when there is no such motion, or more than one: at an undamped resonance, for a
+// free mass. Requires forcing.
 std::optional<Response> response_of(const System& system);
 
-// How it moves with a parameter that moves the system along this tangent.
+// Derivative of the response by the parameter of this tangent.
 Response response_rate(const System& system, const System& tangent, const Response& response);
 
-// Of the map over a forcing period, largest modulus first; in closed form.
+// Multipliers of the map over a forcing period, largest modulus first; in closed form.
 std::vector<Eigenvalue> response_multipliers(const System& system);
 
-// The orbit, with a section at forcing phase 0; admissible where it is clear of every stop.
+// The response as an orbit, with a section at forcing phase 0; admissible when it is clear of every
+// stop.
 Orbit response_orbit(const System& system, const Response& response);
 
 }  // namespace graze

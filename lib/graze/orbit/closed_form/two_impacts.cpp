@@ -15,19 +15,19 @@
 namespace graze {
 namespace {
 
-// Intervals to a period of the quickest mode: eight to one of what is twice as quick.
+// Intervals per period of the fastest mode: eight per period of twice its frequency.
 constexpr double kIntervalsPerPeriod = 16.0;
 constexpr double kMostIntervals = 1 << 15;
 
-// Samples where n and E are zero of themselves are taken so far beside, in intervals.
+// Samples at which n and E vanish identically are shifted by this many intervals.
 constexpr double kBeside = 1e-6;
 
-// A minimum between samples lies below the least of these by an eighth of their second difference
-// where that is constant; four times as much is looked into.
+// A minimum between samples lies below the smallest of them by an eighth of their second difference
+// where that is constant; minima are examined up to four times that.
 constexpr double kMostDrop = 0.5;
 
-// Parts of their terms below which n and E are zero, to rounding, and below which a minimum of |n|
-// - |E| may be a double zero.
+// Below the first part of their terms n and E are zero, to rounding; below the second a minimum of
+// |n| - |E| may be a double zero.
 constexpr double kZero = 1e-9, kDoubleZero = 1e-8;
 
 double cross(const Complex& a, const Complex& b) { return (a * std::conj(b)).imag(); }
@@ -79,7 +79,7 @@ class TwoImpacts::Pair {
     double e = 0.0;
     // Zero where |n| = sign E.
     double function(double sign) const { return std::abs(n) - sign * e; }
-    // Whether both equations of contact are one, to rounding.
+    // Whether both contact equations are one, to rounding.
     bool vanish(const std::array<double, 2>& distance) const {
       const double first = std::abs(contact[0]), second = std::abs(contact[1]);
       return std::abs(n) <=
@@ -97,7 +97,7 @@ class TwoImpacts::Pair {
     if (!is_own_zero(m)) return m;
     return m == last_ ? m - kBeside : m + kBeside;
   }
-  // What n and E are divided by: zero where they are.
+  // The divisor of n and E, which vanishes where they vanish identically.
   double own_zeros(double psi) const {
     const double part = psi / response_.period();
     if (one_stop_) return odd_ ? std::sin(0.5 * part) : std::sin(part);
@@ -119,7 +119,7 @@ class TwoImpacts::Pair {
     return terms({before.value, after.value}, {before.rate, after.rate}, s);
   }
 
-  // g, h: of the other impact's impulse along the row of each.
+  // g, h: motion by the other impact's impulse along the row of each.
   Terms terms(const std::array<double, 2>& g, const std::array<double, 2>& h, double s) const {
     const double psi = angle(s);
     const std::array<Complex, 2> y{forced_[0], forced_[1] * std::polar(1.0, psi)};
@@ -139,7 +139,7 @@ class TwoImpacts::Pair {
                cross(moved[0], y[1]) + (b00 * b11 - b01 * b10) * cross(r[0], r[1]);
     result.n =
         distance_[1] * std::conj(result.contact[0]) - distance_[0] * std::conj(result.contact[1]);
-    // Half an orbit apart on one stop: as the impacts change names E changes its sign.
+    // Half an orbit apart on one stop, exchanging the impacts changes the sign of E.
     if (one_stop_ && odd_ && s == middle()) result.e = 0.0;
     const double zero = own_zeros(psi);
     if (zero == 0.0) return result;
@@ -199,14 +199,14 @@ class TwoImpacts::Pair {
     add_any(s, found);
   }
 
-  // From z = i n/E.
+  // Adds the solution from z = i n/E.
   void add(double s, double sign, std::vector<Vector>& found) const {
     const Terms terms = at(s);
     if (terms.vanish(distance_)) return add_any(s, found);
     add_phases(std::arg(Complex(0.0, sign) * terms.n), s, found);
   }
 
-  // Where both equations of contact are one, from that.
+  // Adds the solutions where both contact equations are one, from that one.
   void add_any(double s, std::vector<Vector>& found) const {
     const Terms terms = at(s);
     const std::size_t k = std::abs(terms.contact[1]) > std::abs(terms.contact[0]) ? 1 : 0;

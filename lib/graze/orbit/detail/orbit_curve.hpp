@@ -1,4 +1,4 @@
-// The course of an orbit between its impacts, for pictures and series.
+// The motion of an orbit between its impacts, for pictures and series.
 #pragma once
 
 #include <vector>
@@ -13,8 +13,8 @@ struct CurveSample {
   double velocity = 0.0;      // row.q', m/s
 };
 
-// One list per flight from impact to impact, ends included, at least `per_period` samples in a
-// forcing period; seen along a row.
+// One list for each flight from impact to impact, ends included, with at least `per_period` samples
+// in a forcing period; values along `row`.
 std::vector<std::vector<CurveSample>> orbit_curve(const System& system, const Orbit& orbit,
                                                   const Vector& row, int per_period);
 

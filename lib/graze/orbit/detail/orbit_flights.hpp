@@ -1,4 +1,4 @@
-// The flights of an orbit, flown once more.
+// Flies the motion of an orbit once more.
 #pragma once
 
 #include <functional>
@@ -9,18 +9,18 @@
 
 namespace graze {
 
-// Who wants to hear of it; an empty function is never called.
+// Callbacks; an empty function is never called.
 struct OrbitListeners {
-  // The phase as it was flown, at which forcing phase it began, counted from the orbit's first
-  // period, rad, and how long it was, s.
+  // The phase as it was flown, the forcing phase of its start, counted from the orbit's first
+  // period, rad, and its duration, s.
   std::function<void(const ContactPhase<double>& phase, double theta, double seconds)> flight;
-  // As of SegmentOptions, on rigid stops.
+  // As in SegmentOptions, on rigid stops.
   std::function<void(const std::vector<ImpactShare<double>>&)> impact{};
   std::function<void(const std::vector<int>&, const Vector&)> closure{};
 };
 
-// In time order: from the first impact on; of an orbit that was followed from its section on.
-// Whether each flight begins at an impact.
+// Flies the orbit in time order, from its first impact on, or from the section of an orbit that was
+// followed. Returns for each flight whether it begins at an impact.
 std::vector<bool> fly_orbit(const System& system, const Orbit& orbit,
                             const OrbitListeners& listeners);
 

@@ -28,8 +28,8 @@ State CarriedDeviations::rate_now(const std::vector<int>& closed, int without) c
                    spring_push(system_, motion_, without));
 }
 
-// With b.dq = 0 there, as an identity: on springs a deviation is taken back to the instant of the
-// undisturbed departure, where it has not left yet, or is away already.
+// Whether b.dq = 0 holds exactly there. On springs deviations are projected to the time of the
+// undisturbed departure, where the deviated motion has not left yet, or is away already.
 bool CarriedDeviations::departed_from(int i) const {
   return motion_.departure().contacts[static_cast<std::size_t>(i)] != Contact::kClear &&
          motion_.flown().springs().empty();
@@ -50,7 +50,7 @@ void CarriedDeviations::carry(const Arrival<double>& arrival) {
   if (arrival.kind == ArrivalKind::kContact) {
     const Stop& s = stop(arrival.stop);
     reach = s.row.transpose() * change.q;
-    // A flight that left this stop left it with b.dq = 0, as an identity.
+    // A flight that left this stop left it with b.dq = 0 exactly.
     if (!departed_from(arrival.stop)) reach += s.row.transpose() * deviations_->q;
   }
   deviations_->q += change.q;
@@ -109,7 +109,7 @@ void CarriedDeviations::jump(const std::vector<ImpactShare<double>>& shares,
   Vector slopes(static_cast<Eigen::Index>(shares.size()));
   for (const ImpactShare<double>& share : shares) {
     if (!(share.impulse > 0.0)) continue;
-    // A closed stop takes up what comes; so does one that leaves no room for a rebound.
+    // A closed stop absorbs what comes; so does one that leaves no room for a rebound.
     slopes[static_cast<Eigen::Index>(acting.size())] =
         share.speed_after < 0.0 ? stop(share.stop).restitution().jump_slope(share.speed) : 1.0;
     acting.push_back(share.stop);
@@ -126,7 +126,8 @@ void CarriedDeviations::close(const std::vector<int>& stops, const State& before
   if (parameter_) parameter_->close(stops, before);
 }
 
-// Takes these parts of what the stops see of the columns out of them, along the impulses.
+// Removes these parts from the deviations along the rows of the stops, by impulses along the stops'
+// directions.
 void CarriedDeviations::undo(const std::vector<int>& stops, const Vector& parts,
                              Matrix& columns) const {
   if (columns.cols() == 0) return;

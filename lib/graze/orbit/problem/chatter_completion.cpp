@@ -13,16 +13,18 @@
 namespace graze {
 namespace {
 
-// The time before the release of the impacts looked at, in the shortest time constant: d is wrong
-// by some s^(k + 2), k > 1.37, and by the rounding of a speed that goes with s^2, times s^k.
+// Shortest time before the release at which impacts are used, in the shortest time constant: d has
+// an error of some s^(k + 2), k > 1.37, and of the rounding of a speed that goes with s^2, times
+// s^k.
 constexpr double kNearest = 1e-3;
-// Impacts slower than this many times what speeds are known to tell nothing.
+// Impacts slower than this many times the error of speeds are not used.
 constexpr double kKnown = 1e5;
-// Further from the completion impacts are looked at whose speeds are off by some 10^-k.
+// Likeness of impacts: further from the completion, those are used whose speeds are off by some
+// 10^-k.
 constexpr double kAlike = 10.0;
-// The farthest look, in 1/Omega.
+// The longest time before the release, in 1/Omega.
 constexpr double kFarthest = 1.0;
-// With r = 0 an impact after the release is looked for so long, of a forcing period.
+// With r = 0 an impact after the release is searched for during this part of a forcing period.
 constexpr double kBeyond = 0.1;
 
 struct Similar {
@@ -30,8 +32,8 @@ struct Similar {
   double excess = 0.0;  // v/(w a s^2) - 1
 };
 
-// The rate at which the push falls at the release, m/s^3: the third derivative of the motion that
-// is let go is the second of its rate, on which the load has no part.
+// The rate at which the push falls at the release, m/s^3: the third derivative of the released
+// motion is the second derivative of its velocity, which does not contain the load.
 double falling_push(const System& system, const SegmentLayout& layout, const State& at,
                     double theta) {
   std::vector<int> held = layout.closed;
@@ -45,10 +47,10 @@ double falling_push(const System& system, const SegmentLayout& layout, const Sta
   return -system.stops[static_cast<std::size_t>(*layout.released)].row.dot(jerk);
 }
 
-// How long before this release the stop was let go last, s.
+// Time from the stop's previous release to this one, s.
 double last_release_before(const System& system, const TrajectorySegment& segment, int stop,
                            const Instant<double>& release) {
-  // This release is where the force equation has it, to the accuracy of a solution.
+  // The time of this release satisfies the force equation to the accuracy of a solution.
   const double together = kShootingAccuracy * system.period();
   double since = std::numeric_limits<double>::infinity();
   for (const SegmentSticking& sticking : segment.sticking) {
@@ -59,7 +61,7 @@ double last_release_before(const System& system, const TrajectorySegment& segmen
   return since;
 }
 
-// d by the impacts at about a time: with weights that sum to one for impacts in the ratio lambda.
+// d by the impacts around a time: with weights that sum to one for impacts in the ratio lambda.
 std::optional<double> distance_at(const std::vector<Similar>& impacts, double about, double lambda,
                                   double k) {
   double sum = 0.0, weights = 0.0;
@@ -122,8 +124,8 @@ std::optional<double> completion_distance(const System& system, const SegmentSho
   const double nearest =
       frequency * std::max(kNearest / std::max(system.omega.maxCoeff(), frequency),
                            std::sqrt(kKnown * still_speed(system) / (w * push)));
-  // The nearest look at which impacts are still alike, and at as much of them as d leaves so; far
-  // from the completion less alike.
+  // The nearest time at which impacts are still similar, as far as d leaves them so; further from
+  // the completion they are less similar.
   for (const double likeness : {kAlike, 0.3 * kAlike})
     for (double look = nearest; look < kFarthest; look *= 2.0) {
       const std::optional<double> distance = distance_at(impacts, look, lambda, k);

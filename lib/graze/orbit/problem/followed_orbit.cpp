@@ -16,8 +16,8 @@
 namespace graze {
 namespace {
 
-// How far the motion is from coming back, in units of the forced motion, largest entry: of the
-// whole state, stuck or not.
+// Largest entry of the difference between the end and the start of the motion, in units of the
+// forced motion: of the whole state, stuck or not.
 double whole_residual(const System& system, const std::vector<MotionState<double>>& starts,
                       const std::vector<TrajectorySegment>& segments) {
   const MotionScale scale = motion_scale(system);
@@ -31,8 +31,8 @@ double whole_residual(const System& system, const std::vector<MotionState<double
   return largest;
 }
 
-// Where motions begin that repeat the orbit: on the sections within a stuck phase, else at the
-// starts of the forcing periods. Empty where one cannot be followed so far.
+// Starts of motions that repeat the orbit: on the sections within a stuck phase, else at the starts
+// of the forcing periods. Empty where one cannot be followed so far.
 std::vector<MotionState<double>> section_states(const System& system,
                                                 const SegmentShooting& shooting, const Vector& u,
                                                 const std::vector<MotionState<double>>& starts) {
@@ -76,7 +76,7 @@ std::optional<Polished<Equations>> newton(const System& system, const SegmentSho
   });
 }
 
-// The first shorter period after which the motion of a solution repeats already, solved for.
+// The first shorter period after which the motion of a solution repeats already, solved again.
 std::optional<std::pair<SegmentShooting, Polished<Equations>>> shorter(
     const System& system, const SegmentShooting& shooting, const Vector& u) {
   const SegmentLayout& whole = shooting.layout();
@@ -101,7 +101,7 @@ std::optional<std::pair<SegmentShooting, Polished<Equations>>> shorter(
   return {};
 }
 
-// Why the equations are not known there; empty where they are.
+// Why the equations cannot be evaluated there; empty where they can.
 std::string why_not_followed(const System& system, const SegmentShooting& shooting,
                              const Vector& u) {
   std::string why;
@@ -113,7 +113,7 @@ std::string why_not_followed(const System& system, const SegmentShooting& shooti
 
 FollowedAnswer solve_from(const System& system, SegmentShooting shooting, const Vector& u) {
   auto solution = newton(system, shooting, u);
-  // Where nothing is left to solve no motion has been followed yet.
+  // Without unknowns no motion has been followed yet.
   if (!solution || u.size() == 0) {
     std::string why = why_not_followed(system, shooting, u);
     if (!why.empty()) return {{}, std::move(why)};
@@ -167,7 +167,7 @@ SegmentShooting stuck_at(const System& system, const MotionState<double>& at, in
   return {system, {period, 1, closed_stops(at), {}, theta}, options};
 }
 
-// From a motion whose first period was followed, and sticks.
+// The orbit from a motion whose first period was followed, and sticks.
 FollowedAnswer stuck_orbit(const System& system, const MotionState<double>& start,
                            const TrajectorySegment& first, int period,
                            const SegmentOptions& options) {
@@ -190,7 +190,7 @@ FollowedAnswer stuck_orbit(const System& system, const MotionState<double>& star
   return solve_from(system, shooting, shooting.pack({{to_section.end.q, to_section.end.qdot}}));
 }
 
-// Of a solution at a release, by a section within the stuck phase before it.
+// The orbit of a solution at a release, by a section within the stuck phase before it.
 std::optional<Orbit> orbit_at_release(const System& system, const SegmentShooting& shooting,
                                       const Vector& u) {
   const std::optional<ReleaseReturn> back = return_of(system, shooting, u);
@@ -230,7 +230,7 @@ std::optional<Orbit> orbit_of(const System& system, const SegmentShooting& shoot
   const std::vector<TrajectorySegment> segments = shooting.follow(system, u, true);
   if (starts.empty() || segments.empty()) return {};
   for (const TrajectorySegment& segment : segments) {
-    // An orbit that sticks besides has a map of lower rank, and is not one of these.
+    // An orbit that also sticks has a map of lower rank and needs another section.
     if (!stuck && !segment.sticking.empty()) return {};
     if (closed_stops(segment.end) != shooting.layout().closed) return {};
   }
@@ -255,7 +255,7 @@ std::optional<Orbit> orbit_of(const System& system, const SegmentShooting& shoot
     met = MetGrazing{*grazing, at->at.instant, at->state};
   }
   add_events(system, segments, shooting.periods_each(), met, orbit);
-  // Contacts at speeds that are rounding are those of a structure that does not move.
+  // Contacts at speeds within rounding belong to a structure at rest.
   const double still = still_speed(system);
   if (!stuck && !grazing &&
       std::none_of(orbit.impacts.begin(), orbit.impacts.end(),

@@ -53,11 +53,11 @@ std::vector<GrazingContact> grazing_contacts_near(const System& system,
 
 namespace {
 
-// Angles nearer than this are those of one grazing contact, rad.
+// Angles nearer than this belong to one grazing contact, rad.
 constexpr double kSameInstant = 1e-4;
 
-// Whether an impact is what the grazing contact comes to a little deeper: the gap of the motion
-// without it would be least at the grazing contact, v/a later.
+// Whether an impact is the grazing contact, slightly deeper: the gap of the motion without the
+// impact would be smallest at the grazing contact, v/a later.
 bool is_of(const GrazingContact& grazing, const System& system, const SegmentImpact& impact,
            double theta, double after) {
   if (impact.stop != grazing.stop) return false;

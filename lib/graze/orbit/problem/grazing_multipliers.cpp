@@ -11,12 +11,12 @@
 namespace graze {
 namespace {
 
-// Singular parts larger than this, in units of the flow: the limit is then off by its inverse, a
-// hundredth of what a product would lose of the multipliers that stay finite.
+// Smallest singular part, in units of the flow, for which the limit is used: its error is the
+// inverse, a hundredth of the error of the finite multipliers in a product.
 constexpr double kSingular = 0x1p44;
 
-// Of an impact at speed v: jump of velocity per v, and the acceleration towards the stop just
-// before it, m/s^2. Where r depends on v it is the value at v = 0 that stays.
+// For an impact at speed v: jump of velocity per v, and the acceleration towards the stop just
+// before it, m/s^2. Where r depends on v it is taken at v = 0.
 struct Slow {
   double jump = 0.0, push = 0.0, speed = 0.0;
 };
@@ -52,7 +52,7 @@ std::optional<std::vector<Eigenvalue>> multipliers_at_grazing(
   }
   if (!grazing) return {};
   const Stop& stop = stop_of(system, pattern, *grazing);
-  // S0 and x0 next to each other. The jump of velocities changes what damps them.
+  // S0 and x0 next to each other. The jump of velocities changes the damping forces.
   Matrix moved = Matrix::Zero(2 * n, 2 * n + 1);
   moved.leftCols(2 * n).setIdentity();
   moved.topLeftCorner(n, n) -= slow.jump * stop.direction() * stop.row.transpose();

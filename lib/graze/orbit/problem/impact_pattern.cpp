@@ -12,7 +12,7 @@ double flight_time(const System& system, const ImpactPattern& pattern,
                    const std::vector<ImpactPoint>& points, std::size_t i) {
   const bool last = i + 1 == points.size();
   const double turn = last ? kTurn * pattern.period : 0.0;
-  // In this order: for k = 1 the turn comes out unrounded.
+  // In this order 2 pi p is unrounded for k = 1.
   return (points[last ? 0 : i + 1].theta - points[i].theta + turn) / system.forcing()->frequency;
 }
 

@@ -16,13 +16,13 @@ struct ImpactPattern {
   bool operator==(const ImpactPattern&) const = default;
 };
 
-// One impact: where the motion is just before it.
+// One impact: the state of the motion just before it.
 struct ImpactPoint {
   double theta = 0.0;  // forcing phase, rad, not reduced
   State before;
 };
 
-// The stop that impact i of a pattern is on.
+// The stop of impact i of a pattern.
 const Stop& stop_of(const System& system, const ImpactPattern& pattern, std::size_t i);
 
 // Seconds from impact i to the next one.

@@ -8,8 +8,8 @@ namespace {
 
 bool before(const Instant<double>& a, const Instant<double>& b) { return !not_before(a, b); }
 
-// Which impacts are no events: those of the chatters that lead to the stuck phases, and those that
-// are rounding.
+// Which impacts do not count as events: those of the chatters that lead to the stuck phases, and
+// those that are rounding.
 std::vector<bool> no_events(const std::vector<SegmentImpact>& impacts,
                             const std::vector<const SegmentSticking*>& sticking, double still) {
   std::vector<bool> none;
@@ -27,7 +27,7 @@ std::vector<bool> no_events(const std::vector<SegmentImpact>& impacts,
   return none;
 }
 
-// An impact, or a contact with a compliant stop that begins.
+// An impact, or the begin of a contact with a compliant stop.
 struct Met {
   int stop = 0;
   Instant<double> at;

@@ -1,4 +1,4 @@
-// The multipliers of an orbit of flights from impact to impact.
+// The multipliers of an orbit that consists of flights from impact to impact.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -13,7 +13,7 @@
 namespace graze {
 namespace {
 
-// What an impact and the flight after it do to a deviation.
+// The effect of an impact and the flight after it on a deviation.
 struct ImpactSegment {
   Matrix saltation;
   FlowMatrix flow;
@@ -33,28 +33,26 @@ std::vector<ImpactSegment> impact_segments(const System& system, const ImpactPat
   return segments;
 }
 
-// Impact factors larger than eps^(-1/4), in units of the flow, are taken apart (see orbit.hpp).
+// Impact factors larger than eps^(-1/4), in units of the flow, are kept separate (see orbit.hpp).
 constexpr double kViolentNorm = 0x1p13;
 
-// Velocity per displacement, 1/s, of each mode: a power of two, which does not round, next to the
-// faster of mode and forcing.
+// Velocity per displacement, 1/s, of each mode: a power of two, which causes no rounding, near the
+// larger of the frequencies of mode and forcing.
 Vector velocity_units(const System& system) {
   return system.omega.unaryExpr([&](double omega) {
     return std::ldexp(1.0, std::ilogb(std::max(omega, system.forcing()->frequency)));
   });
 }
 
-// How far each mode's flow over t may be from the one that is meant, in eps of it: the exponents
-// w t and delta t carry a rounding each, which changes what comes out of it, its two rows, by eps
-// (w + 2 delta) t of themselves in units in which the flow is round; those of velocity_units are
-// within their ratio to w of that.
+// Error of each mode's flow over t, in eps of it: the exponents w t and delta t carry a rounding
+// each, which changes the flow, in its two rows, by eps (w + 2 delta) t of themselves in units in
+// which it is a rotation; in those of velocity_units by up to their ratio to w of that.
 Vector roundings_of_modes(const System& system, double t) {
   const double slowest = system.forcing()->frequency;
   return 2.0 * t * (system.omega.cwiseMax(slowest) + system.delta());
 }
 
-// How far a factor that ends in a flow may be from the one that is meant, in eps |factor|
-// (Frobenius).
+// Error of a factor that ends in a flow, in eps |factor| (Frobenius).
 double rounding_of_flow(const System& system, const Matrix& factor, double t) {
   const Eigen::Index n = system.modes();
   const double size = factor.squaredNorm();
@@ -64,8 +62,8 @@ double rounding_of_flow(const System& system, const Matrix& factor, double t) {
   return size > 0.0 ? std::sqrt(sum / size) : 0.0;
 }
 
-// Displacement of each mode next to those of the others: u^(-1/2), u its velocity unit, rounded to
-// a power of two. A jump of velocity moves all modes alike, b in displacements and b/u in
+// Unit of displacement of each mode relative to the others: u^(-1/2), u its velocity unit, rounded
+// to a power of two. A jump of velocity moves all modes alike, b in displacements and b/u in
 // velocities; with units a the impact's largest entry is the larger of max(b/a) max(b^T a) and the
 // same of (b/(a u), b^T a u), which are equal, and smallest, for a = u^(-1/2).
 Vector displacement_units(const Vector& velocity_unit) {
@@ -92,10 +90,11 @@ struct DeviationUnits {
   }
 };
 
-// With fewer modes than these for each impact the product costs less.
+// With fewer modes per impact than this, the product is cheaper.
 constexpr Eigen::Index kManyModes = 8;
 
-// An impact and the flight after it, for the secular equation; nothing where the impact is violent.
+// An impact and the flight after it, for the secular equation; nullopt when the impact factor is
+// larger than kViolentNorm.
 std::optional<JumpAndFlow> jump_and_flow(const System& system, const Stop& stop,
                                          const ImpactPoint& point, double duration,
                                          const ExactFlow<double>& flow,
@@ -123,7 +122,7 @@ std::optional<JumpAndFlow> jump_and_flow(const System& system, const Stop& stop,
   return factor;
 }
 
-// By the secular equation; nothing where the product is to be preferred.
+// The multipliers by the secular equation; nullopt when the product is preferable.
 std::optional<std::vector<Eigenvalue>> secular_multipliers(const System& system,
                                                            const ImpactPattern& pattern,
                                                            const std::vector<ImpactPoint>& points,
@@ -205,8 +204,8 @@ std::vector<Eigenvalue> orbit_multipliers(const System& system, const ImpactPatt
     factors.push_back(units.scaled(segment.flow.times(Matrix::Identity(2 * n, 2 * n))));
     uncertainty = std::max(uncertainty, rounding_of_flow(system, factors.back(), segment.duration));
   }
-  // The second factor is the first one to be made triangular, before any change of basis mixes its
-  // columns: those that are large next to grazing stay apart from the others.
+  // The second factor is made triangular first, before any change of basis mixes its columns: those
+  // that are large next to grazing stay separate from the others.
   if (most_violent >= 0) {
     const auto count = static_cast<std::ptrdiff_t>(factors.size());
     std::rotate(factors.begin(), factors.begin() + (most_violent + count - 1) % count,

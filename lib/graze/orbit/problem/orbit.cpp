@@ -15,7 +15,7 @@
 namespace graze {
 namespace {
 
-// The lowest gap of another stop at the instant of an impact that turns the motion back from it
+// The smallest gap of another stop at the instant of an impact that turns the motion back from it
 // too, if below `lowest`: a corner of that gap, and no minimum of any flight. Stops that are
 // touched together are hit together.
 std::optional<NearestApproach> lowest_corner(const System& system, const ImpactPattern& pattern,
@@ -113,7 +113,7 @@ Admissibility admissibility(const System& system, const ImpactPattern& pattern,
       lowest = corner->gap;
       result.nearest = corner;
     }
-    // Where one search could not be finished, the others change nothing.
+    // When one search could not be finished, the others do not matter.
     if (!(flight > 0.0) || lowest == kUnfinished) continue;
     arc.start(points[i].theta, after.q, after.qdot);
     for (std::size_t k = 0; k < system.stops.size(); ++k) {

@@ -1,5 +1,4 @@
-// A periodic orbit with everything that is said of it: where it impacts, whether it is stable, and
-// whether it is an orbit of the system at all.
+// A periodic orbit with its properties: its impacts, its stability, and whether it is admissible.
 #pragma once
 
 #include <optional>
@@ -19,9 +18,9 @@ struct OrbitInstant {
   double phase = 0.0;    // (frequency t + phase) mod 2 pi, rad
 };
 
-// What became of an impact at a compliant stop.
+// The contact of an impact at a compliant stop.
 struct OrbitContact {
-  double duration = 0.0;     // s; 0: a grazing contact, in which nothing happens
+  double duration = 0.0;     // s; 0: a grazing contact, without any effect
   double speed_after = 0.0;  // away from the stop, m/s
   double peak_force = 0.0;   // N
   double taken = 0.0;        // of the structure's energy, J
@@ -40,14 +39,14 @@ struct OrbitImpact {
 struct StickingPhase {
   int stop = 0;
   OrbitInstant from, to;
-  double duration = 0.0;  // s; of the whole orbit where it is never released
+  double duration = 0.0;  // s; of the whole orbit when the stop is never released
   double force = 0.0;     // contact force that sets in, N
-  // Smallest interior local minimum of the contact force, N; nothing when there is none.
+  // Smallest interior local minimum of the contact force, N; nullopt when there is none.
   std::optional<double> smallest_force;
 };
 
-// Where motions begin that repeat an orbit: a state in each of its forcing periods, or one that
-// leads through all of them.
+// Starts of motions that repeat an orbit: a state in each of its forcing periods, or one state
+// whose motion goes through all of them.
 struct OrbitSection {
   OrbitInstant at;  // of the first; the others follow a forcing period apart
   std::vector<MotionState<double>> states;
@@ -56,36 +55,37 @@ struct OrbitSection {
 
 struct Orbit {
   int period = 1;  // p
-  // In time order from the smallest (period_index, phase). Where a chatter completes, the impacts
-  // that were resolved: their number depends on the closure speed.
+  // In time order from the smallest (period_index, phase). Of a chatter that completes, the
+  // resolved impacts: their number depends on the closure speed.
   std::vector<OrbitImpact> impacts;
   std::vector<StickingPhase> sticking{};  // in time order; none: it does not stick
   std::vector<Eigenvalue> multipliers;    // of the map over p periods, largest modulus first
-  // Nothing when a multiplier sits on the unit circle within its error.
+  // nullopt when a multiplier lies on the unit circle within its error.
   std::optional<bool> stable;
-  // Clear of every stop between the impacts, every impact speed positive; what sticks is held by
-  // its force.
+  // Whether it is clear of every stop between the impacts, with positive impact speeds and contact
+  // forces.
   bool admissible = false;
-  // Smallest interior local minimum of any stop's gap between the impacts, m; nothing when there is
+  // Smallest interior local minimum of any stop's gap between the impacts, m; nullopt when there is
   // none.
   std::optional<double> clearance;
   double residual = 0.0;  // of its equations, scaled, largest entry
-  // Of an orbit that was followed; nothing where its impacts and the arcs between them tell it.
+  // Set for an orbit that was followed; nullopt when its impacts and the flights between them
+  // define it.
   std::optional<OrbitSection> section{};
 
   bool sticks() const { return !sticking.empty(); }
-  // Else it is the response of the free structure.
+  // False for the response of the free structure.
   bool meets_stops() const { return sticks() || !impacts.empty(); }
-  // For the shooting equations, which know of no sticking and no compliant stops.
+  // For the shooting equations, which support neither sticking nor compliant stops.
   ImpactPattern pattern() const;
   std::vector<ImpactPoint> points() const;
-  // Whether each impact comes after the one before it, and the first again after the last. The
-  // equations also have solutions with flights that go backwards: motions through no impacts.
+  // Whether each impact comes after the previous one, and the first again after the last. The
+  // equations also have solutions with flights that go backwards in time, which are no motions.
   bool in_order() const;
 };
 
-// The impact that stands for the orbit in a picture: the first; where the orbit sticks, and has
-// stuck phases and tiny impacts come and go along its branch, the fastest. Requires an impact.
+// The impact that represents the orbit in a picture: the first; for an orbit that sticks the
+// fastest, as stuck phases and tiny impacts come and go along its branch. Requires an impact.
 const OrbitImpact& leading_impact(const Orbit& orbit);
 
 // The impacts of a solution of the shooting equations in time order, the one with the smallest
@@ -93,13 +93,13 @@ const OrbitImpact& leading_impact(const Orbit& orbit);
 std::vector<OrbitImpact> ordered_impacts(const System& system, const ImpactPattern& pattern,
                                          const std::vector<ImpactPoint>& points);
 
-// How many multipliers lie outside the unit circle, and how many sit on it within their error.
+// Number of multipliers outside the unit circle, and on it within their error.
 struct MultiplierCount {
   int outside = 0;
   int undecided = 0;
 };
 MultiplierCount count_multipliers(const std::vector<Eigenvalue>& multipliers);
-// Whether an orbit with these multipliers is stable; nothing where one sits on the unit circle
+// Whether an orbit with these multipliers is stable; nullopt when one lies on the unit circle
 // within its error, or none is known.
 std::optional<bool> stability(const std::vector<Eigenvalue>& multipliers);
 
@@ -113,8 +113,9 @@ Matrix monodromy_matrix(const System& system, const ImpactPattern& pattern,
                         const std::vector<ImpactPoint>& points);
 
 // Eigenvalues of the product of the impact factors, never formed for several impacts. They are
-// taken in units in which the free flow only turns and shrinks, velocities by the faster of mode
-// and forcing: otherwise the errors would be those of the fast modes' stiffness.
+// computed in units in which the free flow only rotates and shrinks, velocities by the larger of
+// the frequencies of mode and forcing: otherwise their errors would grow with the stiffness of fast
+// modes.
 //
 // Next to grazing the impact factor grows like 1/v and one multiplier falls like v. A pair of sizes
 // |A| and 1/|A| leaves the smaller one a relative error of eps |A|^2 in the product of flow and
@@ -130,8 +131,8 @@ Orbit make_orbit(const System& system, const ShootingProblem& problem, const Vec
 Orbit make_orbit(const System& system, const ShootingProblem& problem, const Vector& solution,
                  std::vector<Eigenvalue> multipliers);
 
-// Where the motion comes nearest to a stop that it does not hit there: between impacts, or at an
-// impact on another stop that turns it back from this one as well.
+// The nearest approach of the motion to a stop that it does not hit there: between impacts, or at
+// an impact on another stop that turns it back from this one as well.
 struct NearestApproach {
   std::size_t flight = 0;  // after this impact of the pattern
   int stop = 0;            // index from 0
@@ -139,16 +140,16 @@ struct NearestApproach {
   double gap = 0.0;        // m; negative: it penetrates
 };
 
-// What makes the orbit admissible or not, without its multipliers.
+// Whether the orbit is admissible, and why, without its multipliers.
 struct Admissibility {
   bool admissible = false;
-  std::optional<NearestApproach> nearest;  // nothing where no gap has an interior minimum
+  std::optional<NearestApproach> nearest;  // nullopt when no gap has an interior minimum
   double smallest_speed = 0.0;             // m/s
-  std::size_t slowest = 0;                 // the impact of the pattern that has it
+  std::size_t slowest = 0;                 // the impact of the pattern at that speed
   double shortest_flight = 0.0;            // from impact to impact, s; negative: out of order
   // The largest acceleration into its stop right after an impact that leaves it at rest (r = 0),
   // m/s^2: where it is positive the stop pushes back and the structure sticks, however small the
-  // push is. Nothing where every impact rebounds.
+  // push is. nullopt when every impact rebounds.
   std::optional<double> push;
 
   std::optional<double> clearance() const {  // m

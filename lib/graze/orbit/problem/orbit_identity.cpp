@@ -17,14 +17,14 @@ bool same_impact(const OrbitImpact& a, const OrbitImpact& b, double largest_spee
 
 double turned(const OrbitImpact& impact) { return impact.phase + kTurn * impact.period_index; }
 
-// Whether as much forcing phase passes from one impact to another on both orbits.
+// Whether the forcing phase between two impacts is the same on both orbits.
 bool same_lapse(const Orbit& orbit, const OrbitImpact& x, const OrbitImpact& x_first,
                 const OrbitImpact& y, const OrbitImpact& y_first) {
   const double lapse = turned(x) - turned(x_first) - (turned(y) - turned(y_first));
   return std::abs(std::remainder(lapse, kTurn * orbit.period)) <= 2.0 * kSameOrbit;
 }
 
-// From negative to positive as a comes before or after b in one of their numbers; 0 where all tie.
+// -1, 0 or 1 as one of their numbers orders a before b, all tie, or b comes before a.
 template <class Number>
 int compare(const Orbit& a, const Orbit& b, Number OrbitImpact::*number) {
   for (std::size_t i = 0; i < a.impacts.size(); ++i) {

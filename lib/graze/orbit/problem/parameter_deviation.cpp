@@ -43,7 +43,7 @@ void ParameterDeviation::cross(int i, const State& at, const Vector& change) {
 
 void ParameterDeviation::meet(int i, const State& at, const State& rate, double v, bool departed) {
   if (!departed) return meet_at_once(i, at, rate, v);
-  // It left with b.dq + db.q = da, as an identity.
+  // It left the stop with b.dq + db.q = da exactly.
   const double reach = stop(i).row.dot(last_.q.col(0)) + stop_rate(i).row.dot(moved_);
   move_to(i, at, rate, -reach / v);
 }
@@ -69,7 +69,7 @@ ParameterDeviation::Acting ParameterDeviation::acting(const std::vector<int>& st
           rows_rate.transpose() * directions + rows.transpose() * directions_rate};
 }
 
-// Of D p with (B^T D) p = amount, when that moves at `rate`.
+// Derivative of D p with (B^T D) p = amount, where `rate` is that of amount.
 Vector ParameterDeviation::Acting::change(const Vector& p, const Vector& rate) const {
   const Vector p_rate = LuFactors(rows.transpose() * directions).solve(rate - coupling_rate * p);
   return directions_rate * p + directions * p_rate;
@@ -98,7 +98,7 @@ void ParameterDeviation::jump(const std::vector<ImpactShare<double>>& shares,
       acting(stops).change(Vector::Map(impulses.data(), k), Vector::Map(rates.data(), k));
 }
 
-// Speeds are undone along the directions of the impulses, and so are the gaps still open.
+// Speeds and open gaps are closed along the directions of the impulses.
 void ParameterDeviation::close(const std::vector<int>& stops, const State& before) {
   const Acting at = acting(stops);
   Vector gaps(static_cast<Eigen::Index>(stops.size())), gaps_rate(gaps.size());

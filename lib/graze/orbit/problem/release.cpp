@@ -10,8 +10,8 @@
 namespace graze {
 namespace {
 
-// A stuck phase that lasts less than this part of a forcing period has shrunk to nothing: what
-// 1e-10 of the parameter leaves of it beside CH, (1e-10)^(3/5).
+// A stuck phase that lasts less than this part of a forcing period has shrunk to nothing: 1e-10
+// away from CH in the parameter it lasts (1e-10)^(3/5).
 constexpr double kGone = 1e-6;
 
 }  // namespace
@@ -27,7 +27,7 @@ std::optional<ReleaseReturn> return_of(const System& system, const SegmentShooti
   const std::vector<const SegmentSticking*> begun = sticking_begun(result.segment);
   result.itinerary = itinerary_of(result.segment, still_speed(system));
   result.shortest_sticking = std::numeric_limits<double>::infinity();
-  // The release is where the force equation has it, to the accuracy of a solution.
+  // The time of the release satisfies the force equation to the accuracy of a solution.
   const double together = kShootingAccuracy * system.period();
   for (const SegmentSticking* sticking : begun) {
     result.sticking.push_back(sticking->stop);

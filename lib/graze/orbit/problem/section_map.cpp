@@ -12,10 +12,11 @@
 namespace graze {
 namespace {
 
-// Where the resistance R grows with the depth x (damping by Lee and Wang's first law, or Hunt and
-// Crossley's) the force F - R v of a spring vanishes at a speed that does not grow with it, and the
-// structure comes out no faster: that takes x R/F. Its velocity settles in m/R, m the effective
-// mass 1/|row|^2, which an integration has to resolve.
+// Number of time constants until the structure leaves a spring. Where the resistance R grows with
+// the depth x (damping by Lee and Wang's first law, or Hunt and Crossley's) the force F - R v
+// vanishes at a speed that does not grow with x, and the structure moves out no faster: that takes
+// x R/F. Its velocity settles in m/R, m the effective mass 1/|row|^2, which an integration has to
+// resolve.
 double time_constants_to_leave(const Stop& stop, double depth) {
   const ContactForce& law = stop.force();
   if (law.damping != ContactDamping::kDepth && law.damping != ContactDamping::kPower) return 0.0;
@@ -24,11 +25,11 @@ double time_constants_to_leave(const Stop& stop, double depth) {
          (law.stiffness * law.power(depth));
 }
 
-// Contacts of orbits have less than one, or as many as the square of the speed over that at which
-// the force vanishes; each costs some ten evaluations.
+// Contacts of orbits last less than one time constant, or as many as the square of the speed over
+// that at which the force vanishes; each costs some ten evaluations.
 constexpr double kMostTimeConstants = 1e4;
 
-// Whether a motion can start at these positions, where the stops `closed` are.
+// Whether a motion can start at these positions, with the stops `closed` touched.
 bool is_clear(const System& system, const Vector& q, const std::vector<int>& closed) {
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     const Stop& stop = system.stops[i];
@@ -114,7 +115,7 @@ std::optional<SectionMap::Chart> SectionMap::chart_at(const System& system, cons
   return Chart{{solution.col(0), solution.col(1)}, solution.rightCols(m)};
 }
 
-// B^T dq = da - dB^T q, U^T dq = 0; likewise of the velocity.
+// B^T dq = da - dB^T q, U^T dq = 0; likewise for the velocity.
 State SectionMap::chart_rate(const System& system, const System& tangent, const State& at) const {
   const Eigen::Index n = at.q.size(), k = n - basis_.cols();
   if (k == 0) return {Vector::Zero(n), Vector::Zero(n)};
@@ -147,8 +148,8 @@ std::optional<MotionState<double>> SectionMap::start_of(const System& system, co
   return state;
 }
 
-// By theta where it moves, y and y'. A later theta is the same state later: what the motion has
-// done by the instant at which it would have been there is taken back.
+// Deviations by theta where it moves, by y and y'. A later theta is the same state at a later time:
+// the motion up to that time is subtracted.
 Deviations SectionMap::start_deviations(const System& system, const MotionState<double>& start,
                                         const Chart& chart, bool moves) const {
   const Eigen::Index n = system.modes(), m = basis_.cols(), first = moves ? 1 : 0;
@@ -173,7 +174,7 @@ std::optional<SectionMap::Image> SectionMap::image(const System& system, const V
   Deviations deviations = start_deviations(system, *start, *chart, moves);
   Image image;
   image.by_parameters.resize(size(), static_cast<Eigen::Index>(tangents.size()));
-  // The first of them goes with the deviations, each other one for itself.
+  // The first tangent is carried together with the deviations, each other one by itself.
   for (std::size_t k = 0; k < std::max<std::size_t>(tangents.size(), 1); ++k) {
     std::optional<ParameterDeviation> parameter;
     if (k < tangents.size())

@@ -11,8 +11,8 @@ double seconds(const System& system, const SegmentContact& contact) {
   return seconds_between(system, contact.from, contact.to);
 }
 
-// The parts of what lasts over the end of the segment `index`, in those that follow; `of` tells the
-// contacts or the stuck phases of one.
+// Adds the later parts of a contact or stuck phase that lasts over the end of the segment `index`;
+// `of` returns the contacts or the stuck phases of a segment.
 template <class Part, class Of, class Add>
 void go_on(const std::vector<TrajectorySegment>& segments, std::size_t index, const Part& first,
            const Of& of, const Add& add) {
@@ -43,8 +43,8 @@ OrbitContact whole_contact(const System& system, const std::vector<TrajectorySeg
   return whole;
 }
 
-// One as long before or after the grazing contact as it lasts at the most: the instant is known
-// less well than the depth.
+// A contact is the grazing one if its distance in time is at most its longest duration: the instant
+// is known less accurately than the depth.
 bool is_grazing_contact(const System& system, const MetGrazing& met, std::size_t turn,
                         const SegmentContact& contact) {
   if (turn != met.grazing.turn || contact.stop != met.grazing.stop ||

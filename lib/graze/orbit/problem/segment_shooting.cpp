@@ -14,20 +14,21 @@
 namespace graze {
 namespace {
 
-// The sum of all sizes that a push is formed from, m/s^2.
+// Sum of the sizes of all terms of a push, m/s^2.
 double push_scale(const System& system, const Stop& stop) {
   double scale = stop.row.cwiseAbs().dot(system.forcing()->amplitude.cwiseAbs());
   if (system.load()) scale += stop.row.cwiseAbs().dot(system.load()->cwiseAbs());
   return scale > 0.0 ? scale : 1.0;
 }
 
-// A spring that the structure compresses, and how its force moves with the state.
+// A compressed spring, and the derivative of its force by the state.
 struct PressedSpring {
   std::size_t place = 0;
   const Stop* stop = nullptr;
   double depth = 0.0, speed = 0.0, force = 0.0, by_depth = 0.0, by_rate = 0.0;
 
-  // Of its push, force times row, where the state moves at `moved` and the system along `tangent`.
+  // Rate of its push, force times row, where the state has the rate `moved` and the system
+  // `tangent`.
   Vector rate(const System& tangent, const State& at, const State& moved) const {
     const Stop& with = tangent.stops[place];
     double change = by_depth * (stop->row.dot(moved.q) + with.row.dot(at.q) - with.gap) +

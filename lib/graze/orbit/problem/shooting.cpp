@@ -8,14 +8,14 @@
 namespace graze {
 namespace {
 
-// What a stop sees of the state before an impact.
+// Speed and jump of an impact at a stop, from the state before it.
 struct Impact {
   double reach = 0.0;  // row.q, m
   double speed = 0.0;  // row.q', m/s
   double jump = 0.0;   // (1 + r) v, m/s
   double slope = 0.0;  // its derivative by v
 };
-// Its derivative along a tangent of the system, at a fixed state.
+// Their derivatives along a tangent of the system, at a fixed state.
 struct ImpactRate {
   double reach = 0.0, jump = 0.0;
 };
@@ -99,7 +99,7 @@ void ShootingProblem::add_mode(const System& system, const Stop& stop, double ju
   jacobian(row, at + 1 + n + j) += arc.qv * unit_v / unit;
   jacobian(row_v, at + 1 + j) += arc.vq * unit / unit_v;
   jacobian(row_v, at + 1 + n + j) += arc.vv;
-  // The jump of this mode by the velocities of all.
+  // Jump of this mode caused by the velocities of all modes.
   const double jump = jump_slope * stop.direction()[j];
   for (Eigen::Index m = 0; m < n; ++m) {
     const double by = jump * stop.row[m] * scale_.velocity[m];

@@ -52,7 +52,7 @@ class Curvature {
     Scalar moved = 0.0;                    // b.dq'
   };
 
-  // What one mode has along a flight.
+  // The terms of one mode along a flight.
   struct Mode {
     double omega2 = 0.0, delta = 0.0, force = 0.0;
     Eigen::Vector2d start, f0, end, f1;
@@ -132,7 +132,7 @@ class Curvature {
     Scalar along_jump = 0.0, along_bend = 0.0;
     for (Eigen::Index j = 0; j < n; ++j) {
       const Mode mode = this->mode(flight, arcs, j);
-      // How the pairing moves with time: A and Phi commute.
+      // Time derivative of the pairing: A and Phi commute.
       const Scalar drift = dot(mode.rho, mode.y) / frequency_;
       const double turn = -mode.force * std::sin(flight.theta);
       const double turn_end = -mode.force * std::sin(flight.theta_end);
@@ -181,7 +181,7 @@ class Curvature {
              tangent.forcing()->amplitude[j] * std::cos(theta) +
              (tangent.load() ? (*tangent.load())[j] : 0.0);
     };
-    // Phases move by fixed angles, times by those over a frequency that changes.
+    // Phases are fixed angles, times are angles over a frequency that changes.
     const double stretch = tangent.forcing()->frequency / frequency_;
     const Eigen::Vector2d end_rate =
         arcs.tangent(j, mode.start[0], mode.start[1], mode.arc, tangent) +

@@ -48,7 +48,7 @@ class ShootingCost : public ceres::CostFunction {
   const System& system_;
 };
 
-// Lets Ceres end once the time is over.
+// Stops Ceres once is_over() of the stop scope is true.
 class EndWithScope : public ceres::IterationCallback {
  public:
   ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
@@ -56,7 +56,7 @@ class EndWithScope : public ceres::IterationCallback {
   }
 };
 
-// Ceres writes its complaints through glog, to stderr unless told otherwise.
+// Ceres writes its complaints through glog, to stderr unless configured otherwise.
 void quiet_glog() {
   static std::once_flag once;
   std::call_once(once, [] {
@@ -96,7 +96,7 @@ std::optional<ShootingSolution> seek(const ShootingProblem& problem, const Syste
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = 200;
-  // Run until the gradient vanishes; whether that is a solution the residual decides below.
+  // Runs until the gradient vanishes; the residual below decides whether that is a solution.
   options.function_tolerance = 0.0;
   options.parameter_tolerance = 0.0;
   options.gradient_tolerance = 1e-13;

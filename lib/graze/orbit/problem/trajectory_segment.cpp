@@ -75,7 +75,7 @@ class Follower {
     return segment_.failure.empty();
   }
 
-  // As far as the end of that, or of the segment.
+  // Follows up to the end of that time, or of the segment.
   bool follow_without(const LeftOut& one) {
     const Instant<double> start = motion_.instant();
     const auto within = [&](double seconds) {
@@ -96,7 +96,7 @@ class Follower {
            fail("the structure has not come back from beyond the stop that was left out");
   }
 
-  // False when that is reached.
+  // False when `end` is reached.
   bool proceed(const Instant<double>& end) {
     switch (walk_.next(end)) {
       case WalkStep::kDeparture:
@@ -139,7 +139,7 @@ class Follower {
   }
 
   bool depart() {
-    // What changes at one instant may be as many as the stops, and each asks all of them.
+    // One instant may have as many changes as stops, and each costs a loop over all stops.
     work_ += static_cast<long long>(system_.stops.size());
     if (poll_.is_due(std::exchange(work_, 0)) && options_.stop.requested()) return fail(kStopped);
     if (walk_.is_at_once() || !motion_.is_sprung() || !carried_.any()) return true;
@@ -175,7 +175,7 @@ class Follower {
 
   bool departed_from(int i) const { return contact_at_departure(i) != Contact::kClear; }
 
-  // The stops that the flight flown last moved clear of.
+  // The open stops from which the last flight moved clear.
   std::vector<int> open_stops() const {
     std::vector<int> open;
     for (int i = 0; i < static_cast<int>(system_.stops.size()); ++i)
@@ -204,8 +204,8 @@ class Follower {
                       smallest_minimum(phase.force(sticking.stop, flight)));
   }
 
-  // The approaches of a flight to the open stops. The time of a minimum does not matter to its gap
-  // to first order, so neither do the delays of the deviations there.
+  // The approaches of a flight to the open stops. To first order the gap at a minimum does not
+  // depend on its time, nor on the delays of the deviations there.
   void note_approaches(double flight) {
     const ExactPhase<double>& phase = *motion_.flown().exact();
     for (const int i : open_stops())
@@ -223,7 +223,7 @@ class Follower {
     if (!below) close_contact(i);
   }
 
-  // A spring that grips again below the surface does so smoothly, in the contact that it is in.
+  // A spring that grips again below the surface does so smoothly, and continues its contact.
   bool enter(int i) {
     const GapValue<double> gap = gap_value<double>(stop(i).row, motion_.q(), stop(i).gap);
     const auto open = contact_of(i);
@@ -292,7 +292,7 @@ class Follower {
                         [i](const SegmentContact& contact) { return contact.stop == i; });
   }
 
-  // Its force is gone, at the surface or below it, or the segment at its end.
+  // Ends a contact: the force is gone, at the surface or below it, or the segment is over.
   void part(int i, double speed, bool to_end) {
     const auto open = contact_of(i);
     if (open == in_contact_.end()) return;

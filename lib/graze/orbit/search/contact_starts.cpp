@@ -13,11 +13,11 @@
 namespace graze {
 namespace {
 
-// A restitution that depends on the speed is found with it in a few rounds, well enough to start
-// from.
+// A restitution that depends on the speed and the speed are found together in a few rounds,
+// accurately enough for a start.
 constexpr int kRounds = 3;
 
-// What one contact of a body with the effective mass of a stop gives back of its speed, m/s.
+// Restitution of one contact of a body with the effective mass of a stop, at a speed in m/s.
 double restitution_of(const Stop& stop, double speed) {
   System body{Vector::Zero(1), NaturalModes{Vector::Zero(1)}, {stop}};
   body.stops[0].row = Vector::Constant(1, stop.row.norm());
@@ -29,7 +29,7 @@ double restitution_of(const Stop& stop, double speed) {
       restitution = std::clamp(*event.effective_restitution, 0.0, 1.0);
   };
   SimulationOptions options;
-  // Depths take no longer than this at any exponent: 2 depth/speed is exceeded by none.
+  // Upper bound on the duration of a contact: 2 depth/speed, for any exponent.
   const double depth =
       stop.force().depth_storing(0.5 * speed * speed / body.stops[0].row.squaredNorm());
   options.duration = 100.0 * depth / speed;
@@ -47,7 +47,7 @@ std::optional<State> period_end_after(const System& system, const ImpactPoint& i
   if (!(local < system.period())) return {};
   MotionState<double> before =
       Motion<double>(system, {0, local}, impact.before.q, impact.before.qdot).state();
-  // Rounding may have left it beyond the surface.
+  // Rounding may have left the state beyond the surface.
   before.contacts[static_cast<std::size_t>(stop)] = Contact::kTouching;
   const TrajectorySegment passed = pass(system, before, {1, 0.0}, segment);
   if (!passed.failure.empty()) return {};
@@ -59,7 +59,7 @@ std::vector<State> closed_form_contacts(const System& system, int period,
   std::vector<State> starts;
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     const Stop& stop = system.stops[i];
-    // The two solutions have speeds of their own.
+    // The two solutions have different speeds.
     for (std::size_t which = 0; which < 2 && stop.is_compliant(); ++which) {
       if (segment.stop.requested()) return starts;
       double speed = motion_scale(system).speed;

@@ -24,9 +24,9 @@
 namespace graze {
 namespace {
 
-// Patterns that a search for whatever there is adds to (p, 1): 2 and 3 impacts, while an evaluation
-// of all their phase problems takes no more products than this (k^2 N for each sequence of stops;
-// 512 of them cost some ten microseconds, a search a few thousand evaluations).
+// A search without a given k adds patterns of 2 and 3 impacts to (p, 1) while one evaluation of all
+// their phase problems takes no more products than this (k^2 N for each sequence of stops; 512 of
+// them cost some ten microseconds, a search a few thousand evaluations).
 constexpr int kCheapWork = 512;
 
 // The most sequences of stops that are searched, whatever k.
@@ -35,7 +35,7 @@ constexpr std::size_t kMostSequences = 4096;
 // Boost's table for Sobol sequences reaches further; a dense solve for more is out of the question.
 constexpr int kMostImpacts = 1024;
 
-// Minimisations of a pattern that the local solves leave without an orbit.
+// Number of global minimisations for a pattern for which local solves find no orbit.
 constexpr int kGlobalRuns = 4;
 
 // Budgets of the local solves by the number of impacts: see
@@ -124,7 +124,7 @@ class Finder {
                                          unit_behind(system_.units, "m/s")));
   }
 
-  // Keeps the orbit that a start led to, where it is asked for.
+  // Keeps the orbit that a start led to, if it is one asked for.
   FollowedAnswer keep(FollowedAnswer answer, StartCount& count) {
     ++count.tried;
     if (!answer.orbit) return answer;
@@ -158,7 +158,7 @@ class Finder {
     }
   }
 
-  // Impacts by their phases: two in closed form, more and what has none by a search.
+  // Orbits by the phases of their impacts: of two impacts in closed form, others by a search.
   void from_phases() {
     const bool two = options_.from_closed_form && options_.impacts.value_or(2) == 2;
     if (!two && !options_.from_random) return;
@@ -184,7 +184,8 @@ class Finder {
     }
   }
 
-  // Takes those sequences of two impacts out of the list that the closed form is for.
+  // Solves the sequences of two impacts to which the closed form applies, and removes them from the
+  // list.
   void from_two_impacts(const PeriodicResponse& response, std::vector<std::vector<int>>& list) {
     const auto is_pair = [](const std::vector<int>& stops) { return stops.size() == 2; };
     const auto first = std::find_if(list.begin(), list.end(), is_pair);
@@ -241,7 +242,7 @@ class Finder {
     budget.threads = options_.threads;
     budget.stop = options_.stop;
     PhaseSearch search(response, pattern, budget);
-    // Of one impact the closed form and the search are to confirm each other.
+    // For one impact the closed form and the search are to confirm each other.
     if (pattern.impacts() > 1)
       for (const Orbit& orbit : found_.orbits)
         if (orbit.period == pattern.period && orbit.pattern().impacts() == pattern.impacts())
@@ -266,7 +267,7 @@ class Finder {
     return phases;
   }
 
-  // Keeps the solutions that are orbits (or may be listed); whether there was one.
+  // Keeps the solutions that are orbits (or may be listed); returns whether there was one.
   bool keep(const PhaseJudge& judge, const std::vector<PhaseSolution>& solutions) {
     std::vector<std::optional<Orbit>> orbits(solutions.size());
     for_each_index(solutions.size(), options_.threads, [&](std::size_t i) {
@@ -302,7 +303,7 @@ class Finder {
     }
   }
 
-  // The minimal orbit of a solution; nothing where there is none.
+  // The minimal orbit of a solution; nullopt when there is none.
   std::optional<Orbit> judge(const ShootingProblem& problem,
                              const std::optional<ShootingSolution>& solution, StartCount& count) {
     ++count.tried;

@@ -13,7 +13,7 @@
 // followed through its contacts (followed_orbit.hpp).
 //
 // Newton's method on the shooting equations polishes each solution, and the recomputed residual is
-// the judge. A list is what the budgets have found, never proved to be all there is.
+// the judge. The list holds what was found within the budgets; it is not proved to be complete.
 #pragma once
 
 #include <optional>

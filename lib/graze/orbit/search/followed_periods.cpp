@@ -7,7 +7,7 @@
 namespace graze {
 namespace {
 
-// Whether it goes on is asked once a period.
+// The walk has no end of its own: the settling decides once a period.
 constexpr Instant<double> kNoEnd{std::numeric_limits<long long>::max(), 0.0};
 
 }  // namespace
@@ -37,13 +37,13 @@ void FollowedPeriods::follow() {
   if (follow_to_end()) settling_.end_period(motion_.q(), motion_.qdot(), contacts_);
 }
 
-// False when the motion could not be followed to the end of the period.
+// Returns false when the motion could not be followed to the end of the period.
 bool FollowedPeriods::follow_to_end() {
   for (;;) {
     const WalkStep step = walk_->next(kNoEnd);
     if (step == WalkStep::kDeparture) {
       // A period can hold any number of flights, and an instant as many changes as stops, each of
-      // which asks all of them.
+      // which costs a loop over all stops.
       work_ += static_cast<long long>(system_.stops.size());
       if (settling_.is_stopped(std::exchange(work_, 0))) return false;
     } else if (step == WalkStep::kFlight) {
@@ -69,7 +69,7 @@ bool FollowedPeriods::receive(WalkStep step) {
     case WalkStep::kEntry:
       contacts_.any = contacts_.sprung = true;
       contacts_.held = false;
-      // One that grips again below the surface, on its way out, is no new impact.
+      // A spring that grips again below the surface, on its way out, is no new impact.
       if (motion_.approach_speed(walk_->stop()) < 0.0) return true;
       return settling_.add_impact(walk_->stop(), local, motion_.approach_speed(walk_->stop()),
                                   motion_.q(), motion_.qdot());

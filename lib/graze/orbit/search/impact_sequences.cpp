@@ -6,8 +6,8 @@ ImpactSequences impact_sequences(int stops, int k, std::size_t most) {
   ImpactSequences result;
   const auto length = static_cast<std::size_t>(k);
   std::vector<int> word(length, 0);
-  // `word` runs through the words that begin a necklace, in dictionary order; it is one itself when
-  // the length of its shortest such beginning divides k.
+  // `word` runs through the prefixes of necklaces, in dictionary order; it is a necklace itself
+  // when the length of its shortest period divides k.
   for (std::size_t head = 1; head > 0;) {
     if (length % head == 0) {
       if (result.sequences.size() == most) {

@@ -6,7 +6,7 @@
 namespace graze {
 namespace {
 
-// Exactly: rows on either side of a structure come from the same shapes.
+// Compares exactly: rows on either side of a structure come from the same shapes.
 bool are_opposite(const Stop& a, const Stop& b) {
   if (a.row != -b.row || a.gap != b.gap || a.is_compliant() != b.is_compliant()) return false;
   if (a.is_compliant()) return a.force() == b.force();
@@ -14,7 +14,7 @@ bool are_opposite(const Stop& a, const Stop& b) {
          a.restitution().coefficients() == b.restitution().coefficients();
 }
 
-// Half a forcing period later, everything the other way round.
+// The impacts half a forcing period later, with opposite sign and stop.
 std::optional<Orbit> mirrored_impacts(const System& system, const Orbit& orbit,
                                       const std::vector<int>& opposite) {
   ImpactPattern pattern = orbit.pattern();

@@ -9,17 +9,17 @@
 namespace graze {
 namespace {
 
-// How far a known point reaches, rad. With one impact and gap 0, the residual is a sine about a
-// solution, chord times cos(x/2), and the product (chord + eta^2/chord) cos(x/2) falls all the way
-// to the other solution, half a turn away, when eta is no less than the longest chord, 2. With a
-// shorter reach a valley is left around the known point, and a descent ends there.
+// Range of the deflation of a known point, rad. With one impact and gap 0, the residual is a sine
+// about a solution, chord times cos(x/2), and the product (chord + eta^2/chord) cos(x/2) falls all
+// the way to the other solution, pi away, when eta is at least the longest chord, 2. With a shorter
+// range a valley is left around the known point, and a descent ends there.
 constexpr double kDeflationReach = 2.0;
 
 double chord(double difference, double turns) {
   return 2.0 * turns * std::sin(difference / (2.0 * turns));
 }
 
-// Half the derivative of its square.
+// Half the derivative of the squared chord.
 double half_slope(double difference, double turns) { return turns * std::sin(difference / turns); }
 
 }  // namespace

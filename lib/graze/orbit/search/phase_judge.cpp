@@ -9,12 +9,12 @@
 namespace graze {
 namespace {
 
-// A solution that penetrates by more than this part of a length is no orbit, however little the
-// phases are known: a thousand times what they are known to.
+// A solution that penetrates by more than this part of a length is no orbit, whatever the error of
+// its phases: a thousand times their accuracy.
 constexpr double kSurely = 1e3 * kSameOrbit;
 
-// Instants at which a motion is looked at: 1/2, 1/4, 3/4, 1/8, .. of the orbit, so that those far
-// apart come first.
+// Number of instants at which a motion is checked: 1/2, 1/4, 3/4, 1/8, .. of the orbit, so that
+// those far apart come first.
 constexpr int kLooks = 31;
 
 double bit_reversed(int n) {
@@ -23,7 +23,7 @@ double bit_reversed(int n) {
   return part;
 }
 
-// The motion of impacts at their speeds; of given speeds contact need not hold.
+// The motion with impacts at given speeds, at which contact need not hold.
 State motion_at(const PeriodicResponse& response, const PhaseSolution& solution, double phase) {
   State state = response.forced_state(phase);
   const double lap = kTurn * response.period();

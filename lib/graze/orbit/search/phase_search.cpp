@@ -24,14 +24,14 @@ namespace {
 
 // The lowest point of the phase problem on its whole torus, where local solves found none.
 //
-// Minimised is the squared residual, deflated and in units of a length, plus the squares of what is
-// negative of the approach speeds, in units of a speed: of all the points where contact holds the
-// orbits are those that approach. DIRECT (NLopt's locally biased version; Gablonsky & Kelley,
-// J. Global Optim. 21, 2001) divides the torus into boxes and needs neither derivatives nor random
-// numbers, so that it is the same everywhere; its answer is a start for a local solve, no more.
+// Minimised is the squared residual, deflated and in units of a length, plus the squares of
+// negative approach speeds, in units of a speed: of all points where contact holds, orbits are
+// those with positive speeds. DIRECT (NLopt's locally biased version; Gablonsky & Kelley, J. Global
+// Optim. 21, 2001) divides the torus into boxes and needs neither derivatives nor random numbers,
+// so that it is the same everywhere; its answer is only a start for a local solve.
 
-// Where the equations cannot be evaluated, and the most that DIRECT is shown: one pole among the
-// values must not hide the differences between the others. NLopt takes no NaN.
+// The value where the equations cannot be evaluated, and the largest value that DIRECT gets: one
+// pole among the values must not hide the differences between the others. NLopt accepts no NaN.
 constexpr double kHighest = 1e6;
 
 struct Height {
@@ -62,7 +62,7 @@ double height_at(unsigned n, const double* x, double*, void* data) {
   return static_cast<Height*>(data)->at(Eigen::Map<const Vector>(x, n));
 }
 
-// The phases, rad, of the lowest of options.global_evaluations values; nothing where none could be
+// The phases, rad, of the lowest of options.global_evaluations values; nullopt when none could be
 // evaluated or NLopt refuses.
 std::optional<Vector> lowest_phases(const PhaseProblem& problem, const PhaseDeflation& deflation,
                                     const PhaseSearchOptions& options) {
@@ -80,7 +80,7 @@ std::optional<Vector> lowest_phases(const PhaseProblem& problem, const PhaseDefl
   nlopt_set_maxeval(direct.get(), options.global_evaluations);
   Vector x = 0.5 * high;
   double value = 0.0;
-  // Its word is not asked for: the lowest value was kept on the way.
+  // NLopt's own result is not used: the lowest value was kept on the way.
   nlopt_optimize(direct.get(), x.data(), &value);
   if (height.where.size() == 0) return {};
   return height.where;
@@ -131,11 +131,11 @@ class DeflatedDefect {
 
 Vector levenberg_marquardt(const PhaseProblem& problem, const PhaseDeflation& deflation,
                            double length, const Vector& start) {
-  // A solve that takes longer is wandering; another start costs less.
+  // A solve that takes longer is lost; another start costs less.
   constexpr int kMostIterations = 25;
   const DeflatedDefect equations(problem, deflation, length);
   ceres::TinySolver<DeflatedDefect> solver;
-  // Newton's method has the last word: near enough for it is enough here.
+  // Newton's method finishes: near enough for it is enough here.
   solver.options.max_num_iterations = kMostIterations;
   solver.options.gradient_tolerance = 1e-10;
   solver.options.parameter_tolerance = 1e-6;
@@ -146,8 +146,8 @@ Vector levenberg_marquardt(const PhaseProblem& problem, const PhaseDeflation& de
   return x;
 }
 
-// Newton's method on the problem itself; nothing when it does not settle. The residual must vanish
-// to the same part of a length that the phases are known to, rad.
+// Newton's method on the problem itself; nullopt when it does not settle. The residual must vanish
+// to the same part of a length as the accuracy of the phases, rad.
 std::optional<Vector> newton_phases(const PhaseProblem& problem, double length, Vector phases) {
   constexpr int kMostSteps = 20;
   double last = std::numeric_limits<double>::infinity();
@@ -167,7 +167,7 @@ std::optional<Vector> newton_phases(const PhaseProblem& problem, double length, 
   return {};
 }
 
-// In time order from the smallest phase.
+// The solution with its impacts in time order from the smallest phase.
 PhaseSolution in_order(const PhaseProblem& problem, const Vector& phases) {
   const int period = problem.response().period();
   const Eigen::Index k = phases.size();
@@ -240,7 +240,7 @@ PhaseStarts::PhaseStarts(int period, int impacts, std::uint64_t seed)
 }
 
 Vector PhaseStarts::next() {
-  // Bits to [0, 1) by hand: results shall not depend on a library's distributions.
+  // Bits are converted to [0, 1) by hand: results shall not depend on a library's distributions.
   std::vector<double> u;
   for (const std::uint64_t shift : shift_)
     u.push_back(static_cast<double>((sequence_->numbers() ^ shift) >> 11) * 0x1p-53);
@@ -280,7 +280,7 @@ bool PhaseSearch::learn(const PhaseSolution& solution) {
 }
 
 std::vector<Vector> PhaseSearch::starts_of_a_round() {
-  // Where fewer points than this are approached, what there is has to do.
+  // After this many draws a start is used even if not every stop is approached.
   constexpr int kMostDraws = 64;
   const std::vector<int>& stops = deflation_.pattern().stops;
   const PhaseProblem problem(*response_, stops, options_.speed);
@@ -326,7 +326,7 @@ std::optional<PhaseSolution> PhaseSearch::global() {
   if (!lowest) return {};
   std::optional<PhaseSolution> solution = solve_phases(*response_, deflation_, *lowest, options_);
   if (solution && learn(*solution)) return solution;
-  // A valley without a bottom: the next minimisation shall look elsewhere.
+  // No solution lies in this valley: the next minimisation shall search elsewhere.
   deflation_.add(stops, *lowest);
   return {};
 }

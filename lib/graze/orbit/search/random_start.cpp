@@ -11,16 +11,16 @@
 namespace graze {
 namespace {
 
-// Twice as far and as fast as the motion's scale reaches motions that keep to it, and some above.
+// Twice the scale covers motions that stay within it, and some larger ones.
 constexpr double kStartReach = 2.0;
 
-// Moves a state along the direction of a spring's force, to where an impact of that speed, m/s, at
-// most takes it.
+// Moves a state along the direction of a spring's force, to at most the depth of an impact at that
+// speed, m/s.
 void bring_within_reach(const System& system, double speed, State& state) {
   for (const Stop& stop : system.stops) {
     if (!stop.is_compliant()) continue;
     const double mobility = stop.row.squaredNorm();
-    // Where the stop preloads the structure it is in the way of the undeflected one.
+    // A stop that preloads the structure penetrates the undeflected one.
     const double deepest =
         std::max(stop.force().depth_storing(0.5 * speed * speed / mobility), -stop.gap);
     const double beyond = stop.row.dot(state.q) - stop.gap - deepest;
@@ -38,7 +38,7 @@ State start_at(const System& system, std::span<const double> coordinates) {
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     const Stop& stop = system.stops[i];
     Vector shape(system.modes());
-    // A free mass has no static compliance; the forcing's time scale stands in for it.
+    // A free mass has no static compliance; the forcing's time scale replaces it.
     for (int j = 0; j < system.modes(); ++j)
       shape[j] =
           stop.row[j] / std::max(system.omega[j] * system.omega[j], 1e-2 * frequency * frequency);
@@ -54,7 +54,7 @@ State start_at(const System& system, std::span<const double> coordinates) {
 State random_start(const System& system, std::uint64_t seed, std::uint64_t draw) {
   // Neighbouring draws begin far apart (the golden ratio's bits).
   std::mt19937_64 engine(seed ^ (0x9E3779B97F4A7C15u * (draw + 1)));
-  // Bits to [-1, 1) by hand: the standard leaves the distributions' algorithms open.
+  // Bits are converted to [-1, 1) by hand: the standard leaves the distributions' algorithms open.
   std::vector<double> coordinates(2 * system.stops.size());
   for (double& coordinate : coordinates)
     coordinate = static_cast<double>(engine() >> 11) * 0x1p-52 - 1.0;

@@ -13,17 +13,17 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Differences this small, in units of the motion, are roundings that some hundred operations a
-// period leave behind.
+// Differences this small, in units of the motion, are the rounding of some hundred operations a
+// period.
 constexpr double kRounding = 1024.0 * std::numeric_limits<double>::epsilon();
 
 double beyond_rounding(double difference, double rounding) {
   return difference > rounding ? difference : 0.0;
 }
 
-// Of the phases and relative speeds of two impacts whose speeds add up to this; `speed` is their
-// scale. A speed that is left over from the forced velocities has their rounding, and the smaller
-// it is, the less its instant is known.
+// Rounding of the phases and relative speeds of two impacts whose speeds sum to `speeds`; `speed`
+// is their scale. An impact speed is a difference of forced velocities and has their rounding; the
+// smaller it is, the less its instant is known.
 double impact_rounding(double speeds, double speed) { return kRounding * (1.0 + speed / speeds); }
 
 }  // namespace
@@ -106,7 +106,7 @@ PeriodHistory::Contacts PeriodHistory::contacts_since(long long from) const {
   return all;
 }
 
-// Of the impacts of a period from those p periods before.
+// Difference of the impacts of a period from those p periods before.
 double PeriodHistory::impact_difference(long long period, int p) const {
   const Period &now = periods_[period], &then = periods_[period - p];
   if (now.impacts != then.impacts || now.contacts.any != then.contacts.any ||
@@ -124,7 +124,7 @@ double PeriodHistory::impact_difference(long long period, int p) const {
   return largest;
 }
 
-// Of the state at the end of a period from that p periods before.
+// Difference of the state at the end of a period from that p periods before.
 double PeriodHistory::state_difference(long long period, int p) const {
   const long long now = 2 * modes_ * (period + 1), then = 2 * modes_ * (period + 1 - p);
   double largest = 0.0;
@@ -138,9 +138,9 @@ double PeriodHistory::state_difference(long long period, int p) const {
   return beyond_rounding(largest, kRounding);
 }
 
-// Most motions are told from what they were p periods ago by how many impacts the last periods
-// have, or by the first impact of the latest period that has any, which is one of those compared
-// unless p is short.
+// For most motions a p is ruled out quickly: by the numbers of impacts in the last periods, or by
+// the first impact of the latest period that has any, which is among those compared unless p is
+// short.
 int PeriodHistory::repetition(int longest, int repetitions, double tolerance) const {
   const long long most = std::min<long long>(longest, (periods() - oldest()) / repetitions);
   if (most <= 0) return 0;
@@ -151,7 +151,7 @@ int PeriodHistory::repetition(int longest, int repetitions, double tolerance) co
   for (int p = 1; p <= clear; ++p)
     if (repeats(p, repetitions, tolerance)) return p;
   if (clear == most) return 0;
-  // Two speeds leave less rounding than the one that is known.
+  // Two impacts have less rounding than the known one alone.
   const double apart =
       std::max(tolerance, impact_rounding(impacts_[periods_[hit].first].speed, speed_));
   const double phase = first_phases_[last];
@@ -170,7 +170,7 @@ int PeriodHistory::repetition(int longest, int repetitions, double tolerance) co
 bool PeriodHistory::repeats(int p, int repetitions, double tolerance) const {
   const long long now = periods(), from = now - static_cast<long long>(repetitions - 1) * p;
   const bool impacts = impact_count_since(from) > 0;
-  // From the newest back: a motion that does not repeat is told by its last period.
+  // From the newest back: a motion that does not repeat shows it in its last period.
   for (long long n = now - 1; n >= from; --n)
     if (!(impact_difference(n, p) <= tolerance) ||
         (!impacts && !(state_difference(n, p) <= tolerance)))

@@ -1,16 +1,16 @@
-// A motion remembered forcing period by forcing period: how nearly it repeats, and how far it still
-// is from what it tends to.
+// The record of a motion, forcing period by forcing period: how nearly it repeats, and its distance
+// from its limit.
 //
-// With d_n the difference between one repetition and the next, the largest of the last five is D,
-// of the five before D'. Differences that go on shrinking as they did, by R = D/D' in five, add up
-// to no more than
+// With d_n the difference between one repetition and the next, D is the largest of the last five,
+// D' that of the five before. If differences go on shrinking by R = D/D' in five, their sum is at
+// most
 //
 //   remaining = 5 D R/(1 - R),
 //
 // the distance from the orbit. A multiplier of 0.99 makes it about a hundred times the last
-// difference. Five, so that differences that turn while they shrink (complex multipliers) do not
-// pass for settled where they cross zero; and where the last two repetitions shrink by less, theirs
-// counts. Still it is an estimate and no bound: a quick deviation can hide a slow one.
+// difference. Five, so that differences that oscillate while they shrink (complex multipliers) do
+// not pass for settled where they cross zero; if the last two repetitions shrink by less, their
+// ratio counts. Still it is an estimate and no bound: a fast deviation can hide a slow one.
 #pragma once
 
 #include <cstddef>
@@ -33,23 +33,23 @@ class PeriodHistory {
  public:
   static constexpr int kWindow = 5;  // repetitions whose largest difference counts
 
-  // What happened to the stops in a period.
+  // Contacts of the stops in a period.
   struct Contacts {
-    bool any = false;     // one was closed or compressed at some time
-    bool held = false;    // closed all the time, without an impact or a release
+    bool any = false;     // a stop was closed or compressed at some time
+    bool held = false;    // a stop was closed all the time, without impact or release
     bool sprung = false;  // one was compressed at some time
     bool closed = false;  // one was closed at some time
   };
 
-  // Remembers at least `most` periods. Requires forcing.
+  // Records at least `most` periods. Requires forcing.
   PeriodHistory(const System& system, const State& start, long long most);
 
   void add_impact(const MetImpact& impact, const Vector& q, const Vector& qdot);
-  // The period is over, in this state.
+  // Ends the period, in this state.
   void end_period(const Vector& q, const Vector& qdot, Contacts contacts);
 
   long long periods() const { return static_cast<long long>(periods_.end()); }
-  // The first period that is still remembered.
+  // The first period that is still recorded.
   long long oldest() const { return periods_.begin(); }
   State state_at_start(long long period) const;
   // The impacts of the periods from `from` on, and the states just before them.
@@ -63,18 +63,19 @@ class PeriodHistory {
   // speeds that agree to `tolerance`; without any impact the states do.
   int repetition(int longest, int repetitions, double tolerance) const;
   // The largest difference between the last p periods and those before: of phases (rad), relative
-  // speeds, and states in units of the system's scale; 0 within rounding, infinite where other
-  // stops are hit or too little is remembered.
+  // speeds, and states in units of the system's scale; 0 within rounding, infinite when other stops
+  // are hit or too few periods are recorded.
   double difference(int p) const;
-  // The estimate above; infinite where the differences do not shrink or too little is remembered.
+  // The estimate above; infinite when the differences do not shrink or too few periods are
+  // recorded.
   double remaining(int p) const;
 
  private:
-  // A list that forgets its beginning; indices count from the first item ever.
+  // A list without its dropped beginning; indices count from the first item ever.
   template <class T>
   class Tail {
    public:
-    // Room from the start for as much as most motions leave.
+    // Reserves as much as most motions need.
     Tail() { items_.reserve(kRoom); }
     void push(const T& item) { items_.push_back(item); }
     const T& operator[](long long i) const { return items_[static_cast<std::size_t>(i - base_)]; }
@@ -82,7 +83,7 @@ class PeriodHistory {
     long long end() const { return base_ + static_cast<long long>(items_.size()); }
     void forget_before(long long i) {
       begin_ = i;
-      // Moved only when half of the memory is waste: once in a while.
+      // Items are moved only when half of the memory is unused: once in a while.
       if (2 * (begin_ - base_) < static_cast<long long>(items_.size()) + 64) return;
       items_.erase(items_.begin(), items_.begin() + static_cast<std::ptrdiff_t>(begin_ - base_));
       base_ = begin_;
@@ -97,7 +98,7 @@ class PeriodHistory {
     long long first = 0;  // impact
     int impacts = 0;
     Contacts contacts;
-    // How many impacts this period and those before it have, a byte each, the last one lowest; 255
+    // Numbers of impacts of this period and those before, a byte each, the last one lowest; 255
     // stands for more.
     std::uint64_t counts = 0;
   };
@@ -114,7 +115,8 @@ class PeriodHistory {
   double speed_;  // scale of impact speeds, m/s
   long long most_;
   Tail<Period> periods_;
-  // Of the first impact of each period, or of the latest one before it that has any; 0 without.
+  // Phase of the first impact of each period, or of the latest period before that has any; 0
+  // without.
   Tail<double> first_phases_;
   Tail<MetImpact> impacts_;
   Tail<double> before_;         // 2N numbers an impact

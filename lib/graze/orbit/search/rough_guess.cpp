@@ -19,7 +19,7 @@ ImpactPoint rough_guess(const System& system, int stop_index, double theta, doub
     const ModeFlow<double>& mode = flow.mode(static_cast<int>(j));
     q[j] = mode.forced.re * std::cos(theta) - mode.forced.im * std::sin(theta);
     qdot[j] = -frequency * (mode.forced.re * std::sin(theta) + mode.forced.im * std::cos(theta));
-    // A free mass has no static compliance; the forcing's time scale stands in for it.
+    // A free mass has no static compliance; the forcing's time scale replaces it.
     push[j] = stop.row[j] / std::max(mode.omega * mode.omega, 1e-2 * frequency * frequency);
   }
   push /= stop.row.dot(push);
@@ -33,7 +33,7 @@ std::vector<std::vector<ImpactPoint>> rough_guesses(const System& system,
                                                     double speed, std::uint64_t seed) {
   PhaseStarts starts(pattern.period, pattern.impacts(), seed);
   std::mt19937_64 engine(seed);
-  // Bits to [0, 1) by hand: the standard leaves the distributions' algorithms open.
+  // Bits are converted to [0, 1) by hand: the standard leaves the distributions' algorithms open.
   const auto uniform = [&engine] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
   std::vector<std::vector<ImpactPoint>> guesses(static_cast<std::size_t>(count));
   for (std::vector<ImpactPoint>& points : guesses) {

@@ -1,4 +1,4 @@
-// What a motion has settled on, and how long it is followed until it has.
+// What a motion has settled on, and options for following it until then.
 #pragma once
 
 #include <limits>
@@ -27,22 +27,22 @@ enum class SettledKind {
 struct SettledMotion {
   SettledKind kind = SettledKind::kNotPeriodic;
   int period = 0;  // p of the repetition, in forcing periods; 0: none
-  // Where it was to get near: whether it did, and how far it still is. Where it impacts without
-  // sticking that is its distance from the orbit by the shooting equations, which has to be stable;
-  // elsewhere it is the estimate of repetition.hpp, 0 within rounding, infinite where nothing
-  // shrinks.
+  // With `nearness`: whether it was reached, and the remaining distance. For a motion with impacts
+  // and without sticking this is the distance from the orbit by the shooting equations, which has
+  // to be stable; else it is the estimate of repetition.hpp, 0 within rounding, infinite when
+  // differences do not shrink.
   bool near = false;
   double remaining = std::numeric_limits<double>::infinity();
-  bool sticks = false;     // a stop was closed during what `impacts` covers
+  bool sticks = false;     // a stop was closed during the time of `impacts`
   State at_start, at_end;  // at the start of the last repetition, and after it
   long long periods = 0;   // run in all
   long long impacts_met = 0;
-  // Of the last repetition, or of the last `tail` periods where it does not repeat.
+  // Impacts of the last repetition, or of the last `tail` periods where it does not repeat.
   std::vector<MetImpact> impacts;
   std::vector<State> period_states;  // the states at the starts of these periods
-  // The repeating pattern, with the points of its last repetition; nothing when none was found,
-  // when it sticks, or where a stop is compliant. Where no nearness was asked for it need
-  // not be minimal: where deviations alternate in sign, two periods agree before one does.
+  // The repeating pattern, with the points of its last repetition; nullopt when none was found,
+  // when it sticks, or when a stop is compliant. Without `nearness` it need not be minimal: where
+  // deviations alternate in sign, two periods agree before one does.
   std::optional<ImpactPattern> pattern;
   std::vector<ImpactPoint> points;
   std::string classification;  // a sentence: what the motion does
@@ -52,10 +52,10 @@ struct SettleOptions {
   long long periods = 3000;  // simulated at most
   int longest_period = 32;   // longest orbit looked for, in forcing periods
   long long max_impacts = kDefaultImpactBudget;
-  // Speed below which a chatter is summed, m/s; nothing: the default of a simulation.
+  // Speed below which a chatter is summed, m/s; nullopt: the default of a simulation.
   std::optional<double> closure_speed;
-  // Go on until what is left to the orbit (phases in rad, relative speeds, states in units of the
-  // system's scale) is less than this. Nothing: stop where the motion repeats; 0: run all the
+  // Go on until the distance from the orbit (phases in rad, relative speeds, states in units of the
+  // system's scale) is less than this. nullopt: stop when the motion repeats; 0: run all the
   // periods.
   std::optional<double> nearness;
   long long tail = 100;                            // periods kept where nothing repeats

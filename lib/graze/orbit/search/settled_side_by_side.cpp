@@ -12,7 +12,7 @@
 namespace graze {
 namespace {
 
-// Of systems of one shape; others are followed one by one.
+// Motions of systems of one shape; others are followed one by one.
 class SettlingMotions {
  public:
   explicit SettlingMotions(SettleTasks& tasks) : tasks_(tasks) {}
@@ -41,7 +41,7 @@ class SettlingMotions {
     for (; lanes != 0; lanes &= lanes - 1) act(static_cast<std::size_t>(std::countr_zero(lanes)));
   }
 
-  // What there was no task for at first may find one later.
+  // Lanes for which there was no task at first may get one later.
   void refill_empty() {
     while (empty_ != 0 && refill(static_cast<std::size_t>(std::countr_zero(empty_))))
       empty_ &= empty_ - 1;
@@ -81,7 +81,8 @@ class SettlingMotions {
     while (!place.settling->is_over()) place.followed->follow();
   }
 
-  // From the start of a period on: by itself until every stop is open. False where it is over.
+  // Follows a motion from the start of a period, alone, until every stop is open. False when it is
+  // over.
   bool begin(std::size_t lane) {
     Place& place = places_[lane];
     Settling& settling = *place.settling;
@@ -105,7 +106,7 @@ class SettlingMotions {
     return false;
   }
 
-  // Whether it is so far from every stop that no rounding makes it touch one.
+  // Whether the state is so far from every stop that rounding cannot make it touch one.
   static bool is_off(const System& system, const State& state) {
     for (const Stop& stop : system.stops) {
       const GapValue<double> gap = gap_value(stop.row, state.q, stop.gap);
@@ -133,7 +134,7 @@ class SettlingMotions {
       conclude(lane);
   }
 
-  // Something rare lies ahead of a lane: the rest of the period is followed by itself.
+  // When a lane leaves at a rare event, the rest of the period is followed alone.
   void follow(std::size_t lane) {
     Place& place = places_[lane];
     if (!place.followed) place.followed.emplace(*place.system, *place.settling);
@@ -145,7 +146,7 @@ class SettlingMotions {
   void conclude(std::size_t lane) {
     motions_->drop(lane);
     tasks_.take(lane, places_[lane].settling->result());
-    // What follows on it has to go on in its own place.
+    // Motions that are followed outside the lanes have their places, too.
     if (refill(lane))
       refill_empty();
     else

@@ -17,13 +17,13 @@ namespace {
 
 constexpr double kRepeats = 1e-6;
 constexpr int kRepetitions = 3;
-// The history keeps the state before every impact of a period: numbers that it may take, 256 MiB.
-// How many impacts a motion may have is the budget of the options, which no finite burst needs to
-// share out among periods; those that have no end at one instant are told by the motion.
+// Bound on the numbers that the history stores for the states before the impacts of one period, 256
+// MiB. The number of impacts of a motion is bounded by the budget of the options, which a finite
+// burst does not exhaust; impacts without end at one instant are detected by the motion.
 constexpr long long kMostNumbersPerPeriod = 1 << 25;
-constexpr double kLost = 1e-3;  // so far from an orbit a motion is on its way elsewhere
+constexpr double kLost = 1e-3;  // a motion this far from an orbit is on its way elsewhere
 constexpr const char* kSettlesClear = "settles clear of every stop";
-constexpr int kPatience = 32;  // repetitions until an orbit is asked for its stability again
+constexpr int kPatience = 32;  // repetitions until the stability of an orbit is computed again
 
 long long remembered(const SettleOptions& options) {
   const long long repetitions = options.nearness ? 2 * PeriodHistory::kWindow + 1 : kRepetitions;
@@ -94,7 +94,7 @@ void Settling::look_back(const Vector& q, const Vector& qdot, bool is_free) {
   const bool contacts = history_.contacts_since(from).any;
   const bool impacts_alone = history_.impact_count_since(from) > 0 && !contacts;
   if (!options_.nearness) {
-    // A drift too slow to see may still lead to the stop: being clear of it takes certainty.
+    // A drift too slow to see may still lead to a stop: clearance has to be certain.
     if (impacts_alone || contacts) conclude_periodic(p);
     return;
   }
@@ -110,15 +110,15 @@ void Settling::look_back(const Vector& q, const Vector& qdot, bool is_free) {
     next_solve_ = history_.periods() + static_cast<long long>(kPatience) * p;
     if (unstable) leaving_until_ = next_solve_;
   }
-  // Passing by an orbit that it will leave again.
+  // Near an orbit that it will leave again.
   if (history_.periods() < leaving_until_) return;
-  // While the last difference alone is more than allowed the estimate would be in vain.
+  // While the last difference alone exceeds the nearness, the estimate is not needed.
   if (!(history_.difference(p) < *options_.nearness)) return;
   const double remaining = history_.remaining(p);
   if (remaining < *options_.nearness) conclude_near(p, remaining);
 }
 
-// The orbit is known: the motion is compared with it once a repetition.
+// The orbit is known: compares the motion with it once a repetition.
 void Settling::come_nearer() {
   const int p = approached_->pattern.period;
   if ((history_.periods() - solved_at_) % p != 0) return;
@@ -137,7 +137,7 @@ void Settling::conclude_near(int p, double remaining) {
   conclude_repeating(p, remaining);
 }
 
-// An orbit seen several times over is the shorter one.
+// An orbit that repeats a shorter one is replaced by that.
 void Settling::conclude_repeating(int p, double remaining) {
   int least = p;
   if (approached_)
@@ -214,8 +214,8 @@ Settling::Pattern Settling::pattern_of_last(int p) const {
 }
 
 void Settling::conclude_unsettled() {
-  // It repeats, but not nearly enough: said so, and shown as what it comes to. The budget may end
-  // within a repetition; what is left was last seen at the end of a whole one.
+  // It repeats, but not within the nearness: reported as such, with its repetition. The budget may
+  // end within a repetition; the distance is that at the end of the last whole one.
   if (approached_) return conclude_repeating(approached_->pattern.period, left_);
   if (const int p = options_.nearness ? repetition() : 0)
     return conclude_repeating(p, history_.remaining(p));

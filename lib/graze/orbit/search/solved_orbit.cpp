@@ -6,9 +6,9 @@
 namespace graze {
 namespace {
 
-// Of the equations of all impacts at once, which are dense: a step of Newton's method takes some
-// 70 ms, and eight times as long with twice as many. Orbits of more impacts are followed, which
-// leaves the 2N unknowns of a section.
+// Largest number of unknowns of the equations of all impacts at once, which are dense: a step of
+// Newton's method takes some 70 ms, and eight times as long with twice as many. Orbits of more
+// impacts are followed, which leaves the 2N unknowns of a section.
 constexpr int kMostImpactUnknowns = 1000;
 
 bool is_short(const System& system, const ImpactPattern& pattern) {

@@ -21,14 +21,14 @@
 namespace graze {
 namespace {
 
-// So near, in rad and units of the forced motion's speed, an orbit that is stable draws a motion
-// in: settled.cpp takes the same distance for being on the way elsewhere.
+// A stable orbit this near, in rad and units of the forced motion's speed, attracts a motion;
+// settled.cpp uses the same distance for being on the way elsewhere.
 constexpr double kNearStart = 1e-3;
-// Boost's table of Sobol sequences ends there; each stop takes two dimensions.
+// Boost's table of Sobol sequences ends there; each stop needs two dimensions.
 constexpr std::size_t kMostStops = 1833;
-// Motions that are followed side by side, knowing the same orbits.
+// Motions that are followed side by side, with the same known orbits.
 constexpr std::size_t kRound = 16;
-// Forcing periods until a motion is first compared with what is known; then twice as many.
+// Forcing periods until a motion is first compared with the known orbits; then twice as many.
 constexpr long long kFirstLook = 16;
 constexpr long long kMostPeriods = 1024;
 
@@ -117,7 +117,7 @@ class Spread {
     return result;
   }
 
-  // Whether the last round of these impacts is that of an orbit, from whichever of its impacts on.
+  // Whether the last round of these impacts is that of an orbit, starting at any of its impacts.
   bool is_near(const Orbit& orbit, const std::vector<MetImpact>& met) const {
     const std::size_t k = orbit.impacts.size();
     if (k == 0 || met.size() < k) return false;

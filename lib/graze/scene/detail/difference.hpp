@@ -1,4 +1,4 @@
-// What an orbit depends on that two scenes do not share.
+// The differences of two scenes that matter to an orbit.
 #pragma once
 
 #include <string>
@@ -8,9 +8,8 @@
 
 namespace graze {
 
-// A sentence about the first thing in which `there` and `here` differ, but for the `free`
-// parameters and what an orbit does not depend on: the title, the initial state and the solver. ""
-// where they do not differ.
+// A sentence about the first difference between `there` and `here`, or "". Not compared are the
+// `free` parameters and what no orbit depends on: the title, the initial state and the solver.
 std::string scene_difference(Scene there, Scene here, const std::vector<std::string>& free);
 
 }  // namespace graze

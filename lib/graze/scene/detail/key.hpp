@@ -13,13 +13,13 @@ struct Range {
   bool has_low = false, has_high = false;  // whether the ends belong to it
   const char* words = "";                  // "greater than 0", behind "a number"
   const char* in_table = "any";            // "> 0", in the reference
-  bool is_checked = true;                  // false: a rule of its own (check.cpp) has the word
+  bool is_checked = true;                  // false: a rule of its own (check.cpp) decides
 
   constexpr bool holds(double value) const {
     return (has_low ? value >= low : value > low) && (has_high ? value <= high : value < high);
   }
   constexpr bool is_bounded() const { return high < std::numeric_limits<double>::infinity(); }
-  // The same range in other words of the reference.
+  // The same range, described by another text in the reference.
   constexpr Range told(const char* text) const {
     Range range = *this;
     range.in_table = text;
@@ -42,7 +42,7 @@ inline constexpr Range kPoissonRatio{
 inline constexpr Range kDirection{0.0, 3.0, true, true, "from 0 to 3", "1, 2, 3; 0"};
 inline constexpr Range kModeCount{1.0, 2000.0, true, true, "from 1 to 2000", "integer, 1 to 2000"};
 
-// Of what the check has a rule for.
+// The range of a key that check.cpp has a rule for.
 constexpr Range own_rule(const char* in_table) {
   Range range;
   range.in_table = in_table;
@@ -56,7 +56,7 @@ struct Key {
   Range range{};
   const char* meaning = "";
   const char* fallback = "required";  // what holds where it is not given; null: the member's value
-  const char* what = nullptr;         // what it must be, where unit and range do not tell it all
+  const char* what = nullptr;         // what it must be, where unit and range do not say all
   const char* refusal = nullptr;      // the sentence where it is given and does not apply
   bool is_required = true;
   bool is_filled = false;    // a list: with zeros, where the scene does not give it
@@ -104,20 +104,20 @@ struct Key {
   }
 };
 
-// Of the two bodies at a contact.
+// Numbers of the two bodies at a contact.
 enum class BodyNumbers { kRadii, kModuli, kPoissonRatios };
 
 enum class Form { kHeader, kInline };
 
-// A table within a table. Its numbers may be varied unless they are no part of what moves.
+// A table within a table. Its numbers are parameters unless the motion does not depend on them.
 struct TableKey {
   const char* name;
   Form form = Form::kHeader;
   bool is_varied = true;
 };
 
-// What a scene may hold or not, for keys that are there in either case: a spare one, with its
-// defaults, stands in where it does not.
+// An optional part of a scene, for keys that are described in either case: where it is absent, a
+// default-constructed stand-in takes its place.
 template <class Value>
 class MayHold {
  public:
@@ -131,11 +131,11 @@ class MayHold {
   std::remove_const_t<Value> spare_{};
 };
 
-// A table that is to be read or changed, or a const one.
+// A table of type Value, const or not.
 template <class Table, class Value>
 concept Of = std::is_same_v<std::remove_const_t<Table>, Value>;
 
-// What a visitor does with keys that are nothing to it.
+// A visitor that ignores every key; visitors override what they need.
 struct SchemaVisitor {
   void number(const Key&, const auto&) const {}
   // A number, or the one word that stands for what makes it; third: whether the word stands.

@@ -9,7 +9,7 @@
 
 namespace graze {
 
-// A key as the reference tells it (docs/scenes.md).
+// One row of the reference in docs/scenes.md.
 struct KeyRow {
   std::string name, unit, fallback, range, meaning;
 };

@@ -6,8 +6,8 @@
 
 namespace graze {
 
-// A load on the structure acts where the forcing is one, of the kind "modal" or "load". In a scene
-// made in code it may stand beside another.
+// A key of a load on the structure, which acts where the forcing is of the kind "modal" or "load".
+// In a scene made in code it may stand beside another forcing.
 inline Key of_load(const Key& key, const Scene& scene, const char* refusal) {
   return key
       .where(scene.forcing && scene.forcing->kind == ForcingKind::kModal,
@@ -62,7 +62,7 @@ void describe(auto& v, Of<MatrixStructure> auto& matrices, const Scene& scene) {
          matrices.checksum);
 }
 
-// Of a stop or a probe.
+// Describes the node keys of a stop or a probe.
 void describe_node(auto& v, auto& place, bool matrices) {
   const char* none = "nodes are those of [matrices], it must be left out";
   v.label(Key{"node", "", own_rule("node.direction or a number"), "the degree of freedom there"}

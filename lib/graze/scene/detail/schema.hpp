@@ -1,7 +1,7 @@
-// The keys of a scene, each told once: name, unit, range, meaning and where the struct holds it.
-// Reader, writer, check, parameters and the reference in docs/scenes.md go by it: each hands
-// describe() a visitor (derived from SchemaVisitor) that does its own with every key. What holds
-// between keys stands with the check.
+// The keys of a scene, each described once: name, unit, range, meaning and its member of the
+// struct. Reader, writer, check, parameters and the reference in docs/scenes.md use it: each passes
+// a visitor (derived from SchemaVisitor) to describe(), which calls it for every key. Rules between
+// keys are in check.cpp.
 #pragma once
 
 #include <type_traits>
@@ -117,7 +117,7 @@ void describe(auto& v, Of<Forcing> auto& forcing, const Scene& scene) {
   v.number(Key{"amplitude", "m, N/m or 1, by kind", kAny, "of the cosine"}.as(
                modal ? "a number" : "a number, in m (base) or N/m (distributed)"),
            forcing.amplitude);
-  // One number in one of two ways.
+  // The frequency may be given in rad/s or in Hz.
   const bool in_hertz = forcing.frequency.in_hertz;
   MayHold angular(in_hertz ? nullptr : &forcing.frequency.written);
   MayHold hertz(in_hertz ? &forcing.frequency.written : nullptr);
@@ -218,7 +218,7 @@ void describe(auto& v, Of<SceneStop> auto& stop, const Scene& scene) {
                                        "have a shape")
                .as("a number in m from the clamp"),
            stop.position);
-  // Of matrices it follows from the node.
+  // With matrices the shape follows from the node.
   const Key shape =
       Key{"shape", "kg^-1/2", kAny.told("N numbers, not all 0"),
           "phi_j(B): how far each mode moves the point of contact"}

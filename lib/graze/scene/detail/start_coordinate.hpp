@@ -1,5 +1,5 @@
-// The numbers of a scene's start by name: "initial.q.1", "initial.qdot.2", of a hub "initial.angle"
-// and "initial.rate", for what looks at a motion from many starts or seeks its start. They are no
+// The numbers of a scene's start by name: "initial.q.1", "initial.qdot.2", with a hub
+// "initial.angle" and "initial.rate", for maps over starts and searches of a start. They are no
 // parameters: no orbit depends on them.
 #pragma once
 
@@ -12,8 +12,8 @@ namespace graze {
 // Whether the name is meant as one: it begins with "initial.".
 bool names_start_coordinate(const std::string& name);
 
-// The number, in a scene whose start then holds all of them, those not given as zero. Throws
-// InputError where the scene has no such number.
+// A reference to the number; the scene's start is given all of them first, missing ones as zero.
+// Throws InputError where the scene has no such number.
 double& start_coordinate(Scene& scene, const std::string& name);
 
 // The scene with a parameter or a number of its start changed, and the unit of either. Throw

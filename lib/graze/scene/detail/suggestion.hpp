@@ -1,4 +1,4 @@
-// Names that a user may have meant, and lists of names as a sentence has them.
+// Names that a user may have meant, and lists of names joined for a sentence.
 #pragma once
 
 #include <string>

@@ -8,13 +8,13 @@
 
 namespace graze {
 
-// What a hub asks of its own table and of the rest of the scene; without one, that nothing there
-// needs it.
+// The rules of the hub's own table and of the rest of the scene with it; without a hub, that no
+// other key needs one.
 void check_hub(const Scene& scene);
 
 void check_probes(const Scene& scene);
 
-// Of a compliant stop. `path`: "stop.spring" or "stop.2.spring".
+// The rules of a compliant stop. `path`: "stop.spring" or "stop.2.spring".
 void check_spring(const Scene& scene, const Spring& spring, const std::string& path);
 
 }  // namespace graze

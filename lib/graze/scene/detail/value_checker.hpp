@@ -23,11 +23,11 @@ class ValueChecker {
   [[noreturn]] void fail(const std::string& key, const std::string& sentence) const;
   // "-1 is not allowed, it must be <what>".
   [[noreturn]] void refuse(const std::string& key, double value, const std::string& what) const;
-  // Also not too large.
+  // Also rejects numbers that are too large.
   void number(const char* key, double value, const Range& range) const;
   // The entry of a list, counted from 1.
   void entry(const char* key, std::size_t k, double value, const Range& range) const;
-  // Also of what is made of several numbers: "with it <what> is <value>" unless it has a size.
+  // For a value made of several numbers: "with it <what> is <value>" unless it is a usable number.
   void usable(const char* key, double value, const char* what) const;
   // As many numbers as there are modes.
   void entries(const char* key, const std::vector<double>& values, int modes,

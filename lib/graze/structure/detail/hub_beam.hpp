@@ -18,19 +18,19 @@ struct HubBeam {
   double moment = 0.0;   // rho (alpha l + l^2/2), kg m: per unit of gravity
 };
 
-// Of a checked scene with a hub.
+// The hub and beam of a checked scene with a hub.
 HubBeam hub_beam(const Scene& scene);
 
-// Small free vibrations of hub and beam together about any angle, the turning of the whole first:
-// x = (theta, q) = (angle.y, beam y) with y'' + w^2 y = 0.
+// Small free vibrations of hub and beam together about any angle, the rigid rotation first: x =
+// (theta, q) = (angle.y, beam y) with y'' + w^2 y = 0.
 struct HubModes {
   Vector omega;  // rad/s, N + 1, ascending from 0
   Vector angle;  // kg^-1/2 m^-1, N + 1
   Matrix beam;   // N x (N + 1)
 };
 
-// `omega`: of the clamped beam, rad/s. Relative errors of the frequencies are those of rounding,
-// times J/(J - s.s), the part of the inertia that is left where the beam is all there is.
+// `omega`: of the clamped beam, rad/s. The relative errors of the frequencies are eps J/(J - s.s),
+// where s.s is nearly J if the beam has almost all of the inertia.
 HubModes hub_modes(const Vector& omega, const Vector& coupling, double inertia);
 
 }  // namespace graze

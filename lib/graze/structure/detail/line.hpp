@@ -54,10 +54,11 @@ struct Line {
 // holds rates, or null.
 Line line_of(const Scene& scene, const Scene* direction);
 
-// Of a beam whose section is everywhere the same; `rate`: its direction, or null.
+// The section of a beam where it is the same everywhere; `rate`: the beam of the direction, or
+// null.
 SectionNumbers<Rated> even_section(const Beam& beam, const Beam* rate);
 
-// Of the section at x, m: its own height or diameter where it has one.
+// The beam's own thickness, or the height or diameter of its section at x, m.
 double thickness_at(const Beam& beam, double x);
 
 }  // namespace graze

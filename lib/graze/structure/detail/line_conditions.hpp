@@ -1,4 +1,4 @@
-// What the supports and springs of a line ask of its unknowns (line_modes.hpp).
+// Linear conditions that supports and springs impose on the unknowns of a line (line_modes.hpp).
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace graze {
 
-// One equation: the value or slope at a node is zero, or what a spring yields there.
+// One equation: the value or slope at a node is zero, or equals the deflection of a spring.
 struct LineCondition {
   std::size_t node = 0;
   double x = 0.0;

@@ -1,6 +1,6 @@
-// Coordinates x of a line in which its elastic energy, tension included, is |x|^2/2, and in which
-// the rigid motions that nothing resists are no part: every field of x is orthogonal to them in
-// the mass (line_modes.hpp tells how they come about).
+// Coordinates x of a line in which its elastic energy, tension included, is |x|^2/2. They exclude
+// the unresisted rigid motions: every field of x is orthogonal to these in the mass. line_modes.hpp
+// describes how they come about.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -17,12 +17,13 @@ class LineCoordinates {
   LineCoordinates(const Line& line, const Fineness& fineness);
 
   const LineMesh& mesh() const { return mesh_; }
-  // The compression beyond which the line buckles, where that is reached: then there is nothing
-  // else to ask for.
+  // The compression beyond which the line buckles; nothing else may be asked for when it is
+  // reached.
   std::optional<double> critical_compression() const { return critical_; }
-  // Of unit modal mass, the first without turning where it is free to; order by count.
+  // Rigid motions of unit modal mass, the first a pure translation where it is free; order by
+  // count.
   const RigidMotions& rigid() const { return rigid_; }
-  // Of velocities in x and of rigid ones together, 2 x kinetic energy = |moving x'|^2 + |r'|^2.
+  // Maps velocities x' to generalised ones: 2 x kinetic energy = |moving x'|^2 + |r'|^2, r' rigid.
   const Matrix& moving() const { return moving_; }
   // Rows on the unknowns y of the mesh become rows on x.
   Matrix rows(const Matrix& on_y) const;

@@ -16,17 +16,17 @@ struct LineForm {
   Matrix factor() const;
   // Form of `modes` (unknowns by any) with `others` (unknowns by any).
   Matrix between(const Matrix& modes, const Matrix& others) const;
-  // Its rate at fixed unknowns.
+  // The rate of that form at fixed unknowns.
   Matrix rate_between(const Matrix& modes, const Matrix& others) const;
   // Form times `modes`: unknowns by modes.
   Matrix times(const Matrix& modes) const;
 };
 
 LineForm kinetic_form(const Line& line, const LineMesh& mesh, bool rates);
-// Of 1 N of tension over the rate of its length; of a beam.
+// The energy of 1 N of tension in a beam.
 LineForm tension_form(const Line& line, const LineMesh& mesh, bool rates);
 
-// Of all that is elastic: strains, springs and tension, with rates. Refers to both.
+// The whole elastic energy: strains, springs and tension, with rates. Refers to both arguments.
 class ElasticForm {
  public:
   ElasticForm(const Line& line, const LineMesh& mesh);

@@ -49,11 +49,11 @@ class LineMesh {
   Eigen::Index first(std::size_t element) const;
   // The node (end of an element, from 0) at which a support, a spring or a mass sits.
   std::size_t node(double x) const;
-  // Two things that sit at one place, of which only one moves, would part: there are no
-  // derivatives.
+  // True where two things sit at one place and the direction moves only one of them: derivatives do
+  // not exist then.
   bool is_torn() const { return torn_; }
 
-  // Of the field and its first derivative at every node.
+  // Rows of the field and of its first derivative at every node.
   RatedRows values_at_nodes(bool rates) const;
   RatedRows slopes_at_nodes(bool rates) const;
   // The same at the points of the quadrature, element by element.

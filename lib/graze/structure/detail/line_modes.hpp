@@ -49,14 +49,14 @@ struct LineSolution {
 
 LineSolution line_modes(const Line& line, int asked);
 
-// Rates of the asked modes along the direction in which the numbers of the line change.
+// Rates of the requested modes along the direction in which the numbers of the line change.
 struct LineRates {
   Vector omega;     // asked
   Matrix unknowns;  // unknowns by asked
 };
 
-// Why modes have no rates: two of one frequency that the direction would mix (from 1), or things at
-// one place of which the direction moves only one.
+// Why modes have no rates: two modes of one frequency that the direction would mix (numbered from
+// 1), or things at one place of which the direction moves only one.
 struct NoRates {
   int first = 0, second = 0;
   bool torn = false;

@@ -8,18 +8,18 @@
 
 namespace graze {
 
-// What supports hold, C y = 0 on the unknowns of the mesh, and its rate C'.
+// The equations C y = 0 of the supports on the unknowns of the mesh, and their rate C'.
 class MovingSupports {
  public:
   MovingSupports(const Line& line, const LineMesh& mesh);
 
-  // Else nothing below may be asked.
+  // Where this is false nothing below may be asked for.
   bool any_moves() const { return across_.has_value(); }
   // C' y of each column.
   Matrix moved(const Matrix& y) const { return rate_ * y; }
-  // l with C^T l = f, of each column f that the supports bear; supports by columns.
+  // Reactions l with C^T l = f for each column f that the supports bear; supports by columns.
   Matrix reactions(const Matrix& forces) const;
-  // The least d with C d = -moved.
+  // The smallest d with C d = -moved.
   Matrix following(const Matrix& moved) const;
 
  private:

@@ -2,10 +2,10 @@
 // gives them best: closed forms of the uniform clamped-free beam and of uniform strings and bars,
 // elements of all others. Rates are along the direction that the modes were made with.
 //
-// Sign: what the left end is free to do is positive there, the value at a free or sliding end, the
-// slope at a pinned or fixed one, the curvature at a clamp. At the free end of the clamped-free
-// beam that is phi_j(L) = 2 (-1)^(j+1)/sqrt(rho A L). Of a mode that leaves the left end at rest
-// the largest value is positive.
+// Sign: the first quantity that is free at the left end is positive there, the value at a free or
+// sliding end, the slope at a pinned or fixed one, the curvature at a clamp. At the free end of the
+// clamped-free beam that is phi_j(L) = 2 (-1)^(j+1)/sqrt(rho A L). For a mode that leaves the left
+// end at rest the largest value is positive.
 #pragma once
 
 #include <memory>
@@ -98,7 +98,7 @@ class ElementModes {
 
 using SpanModes = std::variant<CantileverModes, UniformLineModes, ElementModes>;
 
-// Of a checked scene with a beam, a string or a bar; `direction`: as in line_of.
+// The modes of a checked scene with a beam, a string or a bar; `direction`: as in line_of.
 SpanModes span_modes(const Scene& scene, const Scene* direction = nullptr);
 
 }  // namespace graze

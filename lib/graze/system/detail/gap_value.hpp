@@ -1,4 +1,4 @@
-// The gap at a stop, gap - row.q, and how far its rounding reaches.
+// The gap at a stop, gap - row.q, and its rounding error.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,7 +27,7 @@ GapValue<Real> gap_value(const Eigen::Matrix<Real, Eigen::Dynamic, 1>& row,
   return {gap - reach, Real(static_cast<int>(q.size()) + 2) * eps * size};
 }
 
-// Beyond the surface of a stop, m; zero within the rounding of the gap.
+// Depth beyond the surface of a stop, m; zero within the rounding of the gap.
 template <class Real>
 Real depth_value(const Eigen::Matrix<Real, Eigen::Dynamic, 1>& row,
                  const Eigen::Matrix<Real, Eigen::Dynamic, 1>& q, const Real& gap) {
@@ -36,7 +36,7 @@ Real depth_value(const Eigen::Matrix<Real, Eigen::Dynamic, 1>& row,
   return abs(at.value) <= at.rounding ? Real(0) : Real(-at.value);
 }
 
-// What of the approach speed row.q' may be rounding, m/s: so many roundings of its terms.
+// Rounding error of the approach speed row.q', m/s: so many roundings of its terms.
 inline constexpr int kSpeedRoundings = 8;
 
 template <class Real>

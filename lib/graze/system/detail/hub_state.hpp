@@ -1,4 +1,4 @@
-// The state of a structure on a hub in its own terms.
+// The state of a structure on a hub as angle, rate and modal coordinates of the beam.
 #pragma once
 
 #include "graze/system/system.hpp"
@@ -12,7 +12,7 @@ struct HubState {
 
 HubState hub_state(const Rotation& rotation, const State& state);
 
-// Of each natural mode by itself, 1/s; on a hub the modes share their damping.
+// Decay rate of each natural mode alone, 1/s; on a hub the damping couples the modes.
 Vector decay_rates(const System& system);
 
 }  // namespace graze

@@ -118,7 +118,7 @@ inline SineAndCosine sine_and_cosine(const Interval& a) {
   return {around(s, c), around(c, s)};
 }
 
-// What both hold; `a` where roundings have left nothing of it.
+// The intersection of both; `a` where rounding has left it empty.
 inline Interval common(const Interval& a, const Interval& b) {
   const Interval both(std::max(a.low, b.low), std::min(a.high, b.high));
   return both.low <= both.high ? both : a;

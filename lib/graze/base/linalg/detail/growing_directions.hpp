@@ -6,9 +6,9 @@
 // A. Giorgilli, J.-M. Strelcyn, Meccanica 15 (1980) 9-20 and 21-30; I. Shimada, T. Nagashima, Prog.
 // Theor. Phys. 61 (1979) 1605-1616).
 //
-// A factor may lose directions: an impact without rebound, or rest on a stop, ends what was between
-// neighbours in them, for good. Their exponents are minus infinity, and they are carried no
-// further.
+// A factor may map directions to zero: an impact without rebound, or rest on a stop, removes any
+// difference between neighbouring motions in them, for good. Their exponents are minus infinity,
+// and they are carried no further.
 #pragma once
 
 #include "graze/base/vector.hpp"
@@ -21,10 +21,10 @@ class GrowingDirections {
 
   // n x k: what the next factor is to be applied to.
   const Matrix& now() const { return directions_; }
-  // `image`: what became of them under a factor of this rank at most. Where it is deficient, those
-  // are lost whose image is zero or lies in the span of the ones before them, to rounding, and
-  // those that come after as many as the rank; where it is not, none. Returns ln |R_ii|, n, minus
-  // infinity for what is lost.
+  // `image`: the images of the directions under a factor of at most this rank. A factor of full
+  // rank keeps all of them. Otherwise a direction is lost when its image is zero or lies, to
+  // rounding, in the span of the images before it, and so are those that come after the first
+  // `rank`. Returns ln |R_ii|, n, minus infinity for lost directions.
   Vector carry(const Matrix& image, Eigen::Index rank);
   Vector carry(const Matrix& image) { return carry(image, image.rows()); }
   Eigen::Index lost() const { return directions_.rows() - directions_.cols(); }
@@ -33,8 +33,8 @@ class GrowingDirections {
   Matrix directions_;
 };
 
-// A mean of values in sequence, and the standard error of it: from means of blocks, which are long
-// enough to know nothing of each other where the sequence forgets.
+// The mean of a sequence of values and its standard error, from the means of blocks. The blocks are
+// long enough to be uncorrelated where the sequence is mixing.
 class BlockMean {
  public:
   // `expected`: number of values; they are cut into 32 blocks.

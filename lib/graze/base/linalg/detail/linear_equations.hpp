@@ -8,8 +8,8 @@
 
 namespace graze {
 
-// The factors of a real square matrix A, rows exchanged. What comes of a singular one is not
-// finite, or meaningless; see reciprocal_condition.
+// The LU factors of a real square matrix A, with row interchanges. Solutions with a singular matrix
+// are not finite, or meaningless; see reciprocal_condition.
 class LuFactors {
  public:
   explicit LuFactors(const Matrix& matrix);
@@ -27,7 +27,7 @@ class LuFactors {
   Eigen::PartialPivLU<Matrix> factors_;
 };
 
-// The same of a complex one.
+// The LU factors of a complex square matrix.
 class ComplexLuFactors {
  public:
   explicit ComplexLuFactors(const Eigen::MatrixXcd& matrix);

@@ -29,8 +29,8 @@ struct PeriodicSchurForm {
   std::vector<Eigen::Index> pairs;
 };
 
-// k >= 2 real factors, n x n each, n >= 1, in the order in which they act, finite, their entries
-// so scaled that squares of the leading ones neither overflow nor vanish. Nothing where the
+// k >= 2 real factors, n x n each, n >= 1, in the order in which they act, finite, their entries so
+// scaled that squares of the leading ones neither overflow nor vanish. Returns nullopt when the
 // iteration does not converge within 120 steps per eigenvalue, or was asked to stop
 // (stop_scope.hpp).
 std::optional<PeriodicSchurForm> periodic_schur(std::vector<Matrix> factors);

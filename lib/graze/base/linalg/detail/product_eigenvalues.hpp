@@ -1,9 +1,9 @@
 // Eigenvalues of a product of square matrices, from the factors.
 //
-// Formed, M = A_k .. A_1 carries a rounding error of eps |M| in every entry, which drowns all
-// eigenvalues smaller than that, and those of multiplier 1 beside one of 1e12 to all but four
-// digits. From the periodic Schur form (periodic_schur.hpp) every eigenvalue only feels the
-// rounding of each factor in itself.
+// The product M = A_k .. A_1, once formed, has a rounding error of eps |M| in every entry, which
+// hides all smaller eigenvalues, and leaves four digits of multiplier 1 beside one of 1e12. From
+// the periodic Schur form (periodic_schur.hpp) every eigenvalue only suffers from the rounding of
+// each factor relative to itself.
 //
 // Error. Let T_i, i = 1..k, be the triangular factors. For the eigenvalue l = prod_i t_i with
 // t_i = T_i(j, j) let
@@ -17,10 +17,10 @@
 //   error = eps n sum_i |prod_{m != i} t_m| |A_i| |y_i| |x_{i-1}|.
 //
 // It holds where the factors are known to their rounding relative to their norms; where they are
-// not, n is raised by `uncertainty`. Eigenvalues that it does not tell from 0 are bounded together
-// (triangular_factors.hpp) where that is less. Where both exceed Elsner's bound of the product
-// (decompositions.hpp), as they do for defective products, that one is given:
-// (|M| + e)^(1 - 1/n) e^(1/n), e the first-order bound on the change of M.
+// not, n is raised by `uncertainty`. Eigenvalues that are not known to differ from 0 are bounded
+// together (triangular_factors.hpp) where that bound is smaller. Where both exceed Elsner's bound
+// of the product (decompositions.hpp), as they do for defective products, Elsner's is used: (|M| +
+// e)^(1 - 1/n) e^(1/n), e the first-order bound on the change of M.
 //
 // Elsner, Linear Algebra Appl. 71 (1985) 77-80; Benner, Mehrmann and Xu, ETNA 11 (2000) 1-12 (the
 // perturbation of formal products).
@@ -32,13 +32,13 @@
 
 namespace graze {
 
-// Eigenvalues of factors.back() .. factors.front(), n x n each; order as that of eigenvalues().
-// Exactly zero are those that a factor of deficient rank makes zero; deficient is a factor with
-// rows and columns that are dependent within n eps of their sizes. Empty without factors, when the
-// iteration does not converge or was asked to stop (stop_scope.hpp), and where an entry is not
-// finite. One factor: eigenvalues(), whose zeros are within their error only. Products of diagonal
-// entries neither overflow nor vanish where their value is representable. The values do not depend
-// on whether their errors are asked for.
+// Eigenvalues of factors.back() .. factors.front(), n x n each, in the order of eigenvalues(). A
+// factor is deficient in rank when its rows and columns are dependent within n eps of their sizes;
+// the eigenvalues that this makes zero are exactly zero. Empty when there are no factors, when the
+// iteration does not converge or was asked to stop (stop_scope.hpp), and when an entry is not
+// finite. For one factor this is eigenvalues(), whose zeros are within their error only. Products
+// of diagonal entries neither overflow nor vanish where their value is representable. The values do
+// not depend on whether their errors are computed.
 std::vector<Eigenvalue> product_eigenvalues(const std::vector<Matrix>& factors,
                                             ErrorBounds errors = ErrorBounds::kGiven,
                                             double uncertainty = 0.0);

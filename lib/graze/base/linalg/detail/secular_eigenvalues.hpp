@@ -10,7 +10,7 @@
 // step is below its rounding. Modes that no jump couples to the others keep the eigenvalues of
 // their flow, and so do, to the 100th decimal, those that the flow extinguishes.
 //
-// Found are all of them where their sum is the trace of M and their product its determinant.
+// All eigenvalues are found when their sum is the trace of M and their product its determinant.
 //
 // Ehrlich, Comm. ACM 10 (1967) 107-108; Aberth, Math. Comp. 27 (1973) 339-344; for the eigenvalues
 // of structured matrices Bini, Gemignani and Tisseur, SIAM J. Matrix Anal. Appl. 27 (2005) 153-175.
@@ -24,10 +24,10 @@
 
 namespace graze {
 
-// In the order of eigenvalues(), the same with and without their errors, which are those of the
-// first order where every jump is changed by 2n eps of its norm and every block of a flow by its
-// uncertainty. Nothing where an eigenvalue is not found within some dozens of steps, where sum or
-// product tell that one is missing, or a factor is singular or not finite.
+// Returns the eigenvalues in the order of eigenvalues(), the same with and without their errors.
+// These are of first order, for every jump changed by 2n eps of its norm and every block of a flow
+// by its uncertainty. Returns nullopt when an eigenvalue is not found within some dozens of steps,
+// when sum or product show that one is missing, or when a factor is singular or not finite.
 std::optional<std::vector<Eigenvalue>> secular_eigenvalues(const std::vector<JumpAndFlow>& factors,
                                                            ErrorBounds errors);
 

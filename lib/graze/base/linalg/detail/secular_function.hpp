@@ -40,12 +40,13 @@ class SecularFunction {
 
   Eigen::Index modes() const { return mean_.size(); }
   const std::vector<PolePair>& poles() const { return poles_; }
-  // Of a mode's block of D_1 (Frobenius).
+  // Frobenius norm of a mode's block of D_1.
   double flow_norm(Eigen::Index mode) const { return flow_norm_[mode]; }
-  // The eigenvalues of the mode's own block of M where the others stand still.
+  // The eigenvalues of the mode's own block of M where the other modes do not move.
   PolePair alone(Eigen::Index mode) const;
 
-  // From now on the mode's poles count as eigenvalues of M, which p below does without.
+  // From now on the mode's poles count as known eigenvalues of M; p below is divided by their
+  // factors.
   void leave_out(Eigen::Index mode);
 
   // p'/p of p(mu) = det(mu - M) over the product of mu - l for the poles left out. Not finite at a

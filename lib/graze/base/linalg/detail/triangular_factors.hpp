@@ -1,5 +1,5 @@
-// Eigenvectors of a product of triangular matrices from its factors, and how far from 0 several
-// eigenvalues can be that are not told from it one by one.
+// Eigenvectors of a product of triangular matrices from its factors, and a joint bound on those
+// eigenvalues that are not known, one by one, to differ from 0.
 //
 // T_i, i = 0..k-1, upper triangular, n x n, maps space i to space i + 1 (space k is space 0). The
 // eigenvalue j of the product is prod_i t_i, t_i = T_i(j, j), and in space i it has the vectors
@@ -25,15 +25,15 @@ struct VectorNorms {
 };
 VectorNorms vector_norms(const TriangularFactors& factors);
 
-// Lowers the errors of eigenvalues that cannot be told from 0 one by one. `list` holds those of the
-// product times 2^exponent in the order of the diagonal, with the errors of each by itself; the
-// largest of those whose error exceeds their modulus and all that are smaller are bounded together.
-// They belong to the images of the projectors P_i = 1 - sum x_i y_i^T, summed over all others. In
-// orthonormal bases of these spaces factor i is a matrix of a norm of at most |P_{i+1} T_i P_i|,
-// which a perturbation E_i of T_i changes by at most |P_{i+1}| |E_i|, to first order. The product
-// of these norms, with |E_i| = `roundings` eps |T_i| (Frobenius), is above the modulus of what any
-// of them may be perturbed to. Where many crowd about 0, as those of quick modes that are damped
-// away, the projectors are well determined and the vectors of each by itself are not.
+// Lowers the errors of eigenvalues that are not known, one by one, to differ from 0. `list` holds
+// the eigenvalues of the product times 2^exponent in the order of the diagonal, with their
+// individual errors. The largest of those whose error exceeds their modulus and all smaller ones
+// are bounded together. They belong to the images of the projectors P_i = 1 - sum x_i y_i^T, summed
+// over all others. In orthonormal bases of these spaces factor i is a matrix of norm at most
+// |P_{i+1} T_i P_i|, which a perturbation E_i of T_i changes by at most |P_{i+1}| |E_i|, to first
+// order. The product of these norms, with |E_i| = `roundings` eps |T_i| (Frobenius), bounds their
+// perturbed moduli. Where many eigenvalues crowd about 0, as those of strongly damped fast modes,
+// the projectors are well determined and the individual vectors are not.
 void bound_together(const TriangularFactors& factors, double roundings, long exponent,
                     std::vector<Eigenvalue>& list);
 

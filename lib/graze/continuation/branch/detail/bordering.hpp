@@ -6,14 +6,14 @@
 //
 // with a number `a` of the size of the entries that A is made of.
 //
-// The bordered matrix stays regular where A loses its rank by one, if b and c are not at right
-// angles to the left and right null vectors of A. There g = 0, w and v are these null vectors, and
+// The bordered matrix stays regular where the rank of A drops by one, if b and c are not orthogonal
+// to the left and right null vectors of A. There g = 0, w and v are these null vectors, and
 // nowhere else is g zero. It is about -sigma/a, with the smallest singular value sigma of A, and
 // changes by dg = -w^T dA v/a. See W. Govaerts, Numerical Methods for Bifurcations of Dynamical
 // Equilibria (SIAM 2000), chapter 3.
 //
-// The borders are real although A may be complex: so g is a real analytic function of whatever real
-// A depends on, and takes conjugate values at conjugate ones.
+// The borders are real although A may be complex: so g is a real analytic function of the real
+// variables that A depends on, and takes conjugate values at conjugate ones.
 #pragma once
 
 #include <type_traits>
@@ -38,7 +38,7 @@ class BorderedMatrix {
   BorderedMatrix(const Square& matrix, const Borders& borders);
 
   Scalar test() const { return test_; }  // g
-  // Of a real one: the sign of its determinant, with which g has that of det A, whatever the
+  // For a real matrix: the sign of its determinant; times g it has the sign of det A, whatever the
   // borders.
   int side() const requires std::is_same_v<Scalar, double> { return factors_.determinant_sign(); }
   const Column& left() const { return left_; }  // w, n
@@ -49,8 +49,9 @@ class BorderedMatrix {
   // s of [A, a b; a c^T, 0] (s, .) = (r, 0), n; and of the transposed equations.
   Column solve(const Column& r) const;
   Column solve_transposed(const Column& r) const;
-  // Borders that suit A and matrices near to it, of this scale: along w and v, or along the longer
-  // axis of the ellipses that these make. Real ones lean to the side of the borders used.
+  // Borders that suit A and matrices near it, of this scale: along w and v, or for complex vectors
+  // along the longer axis of the ellipses that these make. Real ones are on the side of the borders
+  // used.
   Borders renewed(double scale) const;
 
  private:

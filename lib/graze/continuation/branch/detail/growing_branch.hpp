@@ -14,28 +14,28 @@ namespace graze {
 
 class GrowingBranch {
  public:
-  // Refers to the first three, which must outlive it. `start`: run along its tangent.
+  // Refers to the first three, which must outlive it. The branch follows the tangent of `start`.
   GrowingBranch(const ZeroProblem& problem, const ContinuationOptions& options,
                 Corrector& corrector, SolutionPoint start);
 
   std::size_t size() const { return branch_.points.size(); }
   const SolutionPoint& operator[](std::size_t i) const { return branch_.points[i]; }
   const SolutionPoint& last() const { return branch_.points.back(); }
-  // The one before the last; null where there is none yet.
+  // The point before the last; null where there is none yet.
   const SolutionPoint* before_last() const {
     return size() > 1 ? &branch_.points[size() - 2] : nullptr;
   }
 
-  // Adds a step's end, or what comes before it: the limit, the start of a closed branch. True when
-  // that ends the branch.
+  // Adds the end of a step, or what comes before it: the limit, the start of a closed branch. True
+  // when that ends the branch.
   bool advance(const SolutionPoint& next);
   // Adds a point and the fold before it, if there is one.
   void add(const SolutionPoint& next);
-  // Drops all points but the first so many.
+  // Drops all points but the first `count`.
   void keep(std::size_t count);
   void count_rejected() { ++branch_.rejected; }
 
-  // Where it went, once it has ended; given away.
+  // The branch, once it has ended; moves it out.
   Branch take() { return std::move(branch_); }
   void end(BranchEnd end) { branch_.ends[1] = end; }
 
@@ -50,10 +50,10 @@ class GrowingBranch {
   UnknownLimits unknowns_;
   Corrector& corrector_;
   Branch branch_;
-  bool left_start_ = false;  // has been so far from it that it may come back
+  bool left_start_ = false;  // it has been so far from the start that it may come back
 };
 
-// The branch through the common start of two that lead away from it, backwards along the first.
+// One branch from two that lead away from a common start, backwards along the first.
 Branch joined(const Branch& backward, const Branch& forward);
 
 }  // namespace graze

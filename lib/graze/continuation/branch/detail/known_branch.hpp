@@ -1,9 +1,8 @@
-// A traced branch that is asked many times whether solutions lie on it.
+// A traced branch, prepared for many tests whether solutions lie on it.
 //
 // A solution between two neighbours is no further from their chord than half of `max_turn` times
-// its length (lies_between of locate.hpp), so that boxes around runs of points, wider by that much,
-// tell of most solutions that they lie nowhere near. Unknowns that come round have no place in a
-// box.
+// its length (lies_between of locate.hpp). Boxes around runs of points, wider by that much,
+// therefore exclude most solutions. Periodic unknowns are not compared with boxes.
 #pragma once
 
 #include <vector>
@@ -15,8 +14,8 @@ namespace graze {
 
 class KnownBranch {
  public:
-  // The points of a branch that the corrector's equations and options have, in order. `wrap`: of
-  // those equations.
+  // `points`: of a branch of the corrector's equations and options, in order. `wrap`: of those
+  // equations.
   KnownBranch(const Corrector& corrector, std::vector<SolutionPoint> points, const Vector& wrap,
               double max_turn);
 

@@ -1,5 +1,5 @@
-// Points of a branch between two neighbours on it, with a corrector at hand: at a place, at the
-// zero of a function, at a fold; and whether a solution lies between them.
+// Points of a branch between two neighbours on it: at a given arclength, at the zero of a function,
+// at a fold; and whether a solution lies between them.
 #pragma once
 
 #include <functional>
@@ -9,36 +9,37 @@
 
 namespace graze {
 
-// Solutions nearer than this are one: next to a fold they are known to about sqrt(eps).
+// Solutions nearer than this are the same: next to a fold they are known to about sqrt(eps).
 inline constexpr double kOnePoint = 1e-7;
 
 // A step, relative to 1 + |x|, over which the orientation may change: branch points are passed with
-// steps as short as this.
+// steps this short.
 inline constexpr double kShortest = 1e-6;
-// Special points nearer to a branch point than this, relative to 1 + |x|, are at it: some steps of
-// that length.
+// Special points nearer to a branch point than this, relative to 1 + |x|, belong to it: some steps
+// of that length.
 inline constexpr double kOneCrossing = 10.0 * kShortest;
 
-// From a to its neighbour b, to fourth order of their distance.
+// Arclength from a to its neighbour b, to fourth order of their distance.
 double arclength(const Corrector& corrector, const SolutionPoint& a, const SolutionPoint& b);
 
-// Where the cubic through neighbours a and b and their tangents meets the hyperplane normal to that
-// of `from`, s ahead of it. Misses the branch by the fourth power of their distance.
+// The point where the cubic through neighbours a and b and their tangents meets the hyperplane
+// normal to the tangent of `from`, s ahead of it. Its error is of the fourth power of their
+// distance.
 Vector cubic_between(const Corrector& corrector, const SolutionPoint& from, double s,
                      const SolutionPoint& a, const SolutionPoint& b);
 
-// The point of the branch there; nothing where the corrector does not reach it.
+// The point of the branch there; nullopt when the corrector does not reach it.
 std::optional<SolutionPoint> point_between(Corrector& corrector, const SolutionPoint& from,
                                            double s, const SolutionPoint& a,
                                            const SolutionPoint& b);
 
-// As `locate` of branch.hpp: where `test` changes sign between neighbours a and b. Nothing where it
-// does not, or the corrector fails on the way.
+// As `locate` of branch.hpp: where `test` changes sign between neighbours a and b. Returns nullopt
+// when it does not, or the corrector fails on the way.
 std::optional<SolutionPoint> locate(Corrector& corrector, const SolutionPoint& a,
                                     const SolutionPoint& b,
                                     const std::function<double(const SolutionPoint&)>& test);
 
-// The fold between neighbours a and b. Nothing where the branch does not turn back between them.
+// The fold between neighbours a and b; nullopt when the branch does not turn back between them.
 std::optional<SolutionPoint> fold_between(Corrector& corrector, const SolutionPoint& a,
                                           const SolutionPoint& b);
 

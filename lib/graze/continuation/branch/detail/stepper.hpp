@@ -1,9 +1,10 @@
-// One step along a branch: how long it may be, where it is predicted to lead, and what it has to
-// show before it is believed to have stayed on its branch.
+// One step along a branch: its largest length, its prediction, and the tests that it has stayed on
+// its branch.
 //
-// Lengths are arclength in x = (u, parameter/range). A step is refused, to be taken shorter, where
+// Lengths are arclength in x = (u, parameter/range). A step is refused, to be taken shorter, when
 // Newton's corrections do not shrink fourfold, the tangent turns too far, the way back does not
-// lead to where it came from, the orientation changes, or a pair of folds would be passed unseen.
+// lead to the start of the step, the orientation changes, or a pair of folds would be passed
+// unseen.
 #pragma once
 
 #include <optional>
@@ -23,13 +24,13 @@ class Stepper {
   // The longest step that the options allow from here.
   double longest(const SolutionPoint& here) const;
 
-  // Where a step of length h leads, as x: along the tangent, and along the bend of the cubic
-  // through the last two points and their tangents. `before`: the point before this one; null where
+  // The predicted end x of a step of length h: along the tangent, and along the curvature of the
+  // cubic through the last two points and their tangents. `before`: the previous point; null where
   // there is none.
   Vector prediction(const SolutionPoint* before, const SolutionPoint& here, double h) const;
 
-  // The end of a step of length h, on the limit where it would pass that; nothing where the step is
-  // refused. A branch point may be passed by a step that is as long as `passing`. Sets `turn` to
+  // The end of a step of length h, on a limit where it would pass one; nullopt when the step is
+  // refused. A branch point may be passed by a step of at most the length `passing`. Sets `turn` to
   // the angle between the tangents, rad, as soon as the corrector converges.
   std::optional<SolutionPoint> step(const SolutionPoint* before, const SolutionPoint& here,
                                     double h, double& turn, double passing = 0.0);

@@ -1,5 +1,5 @@
-// Loci of one kind of one zero problem that have been traced, asked of many starts whether these
-// lead to one of them.
+// Loci of one kind of one zero problem that have been traced, prepared for many tests whether
+// starts lead to one of them.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,9 @@ namespace graze {
 class KnownLoci {
  public:
   bool empty() const { return known_.empty(); }
-  // The problem and the options that it was traced with.
+  // Adds a locus with the problem and the options that it was traced with.
   void add(const ZeroProblem& problem, const LocusOptions& options, const Locus& locus);
-  // As find_locus: which of them, in the order in which they were added.
+  // As find_locus: the index of the locus, in the order in which they were added.
   std::optional<std::size_t> find(const ZeroProblem& problem, const LocusOptions& options,
                                   const LocusStart& start) const;
 

@@ -1,20 +1,20 @@
-// The equations of a locus: those of the orbits, and that A(mu) is singular at the locus's mu
-// (zero_problem.hpp), by the test function g of bordering.hpp.
+// The equations of a locus: those of the orbits, and that A(mu) (zero_problem.hpp) is singular at
+// the mu of the locus, by the test function g of bordering.hpp.
 //
 //   LP, PD   F(u, p, q) = 0, g(mu) = 0 with mu = 1, -1, in (u, p/range);
 //   NS       F(u, p, q) = 0, Re g(mu) = 0, d = 0 with mu = e^{i angle}, in (u, p/range, angle),
 //
 //   d = (g(mu) - g(conj mu))/(mu - conj mu) = -w(mu)^T closing v(conj mu)/a,
 //
-// where the plain Im g would vanish for all solutions at angles 0 and pi: d is Im g/sin(angle), and
-// there the derivative of g by mu. So the equations are regular at resonances 1:1 and 1:2 too,
-// where the pair becomes real; all they depend on is even in the angle there.
+// d is Im g/sin(angle), and at angles 0 and pi the derivative of g by mu, whereas Im g vanishes
+// there for all solutions. So the equations are regular at resonances 1:1 and 1:2 too, where the
+// pair becomes real; they are even functions of the angle there.
 //
-// Borders are those of the nearest point of the locus known so far. On LP and PD g is taken with
-// the sign that det A has: it passes zero between two loci that nearly cross, where borders that
-// follow one of them fail, and would turn the orientation round once more. So a step from one to
-// the other shows. On NS a change of borders multiplies g by a complex number, which leaves the
-// orientation alone.
+// Borders are those of the nearest known point of the locus. On LP and PD g is taken with the sign
+// of det A: g passes zero between two loci that nearly cross, where borders that follow one of them
+// fail, and would reverse the orientation once more. So a step from one to the other is detected.
+// On NS a change of borders multiplies g by a complex number, which does not change the
+// orientation.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ namespace graze {
 
 class LocusEquations {
  public:
-  // Refers to the problem, which must outlive it. Lengths of the parameters' ranges.
+  // Refers to the problem, which must outlive it. The ranges are lengths.
   LocusEquations(const ZeroProblem& problem, LocusKind kind, double first_range,
                  double second_range)
       : problem_(problem), kind_(kind), range_(first_range), second_range_(second_range) {}
@@ -47,27 +47,27 @@ class LocusEquations {
   double angle_of(const Vector& y) const;
   Complex multiplier_of(const Vector& y) const;
 
-  // Forgets all borders but those that suit A(mu) there; false where that cannot be evaluated.
+  // Drops all borders but those that suit A(mu) there; false when that cannot be evaluated.
   bool start_at(const Vector& y, double second);
-  // Forgets all borders but those of a point, on the side of those that it was solved with.
+  // Drops all borders but those of a point, on the side of those that it was solved with.
   void start_at(const SolutionPoint& point);
-  // A point of the locus: its borders are those of what lies around it.
+  // Adds a point of the locus: its borders are used around it.
   void add(const SolutionPoint& point);
-  // How far the critical vectors of LP and PD turn from one point to a neighbour just solved for,
-  // rad, the larger of both; 0 on NS, where they span planes.
+  // Angle by which the critical vectors of LP and PD turn from one point to a neighbour just solved
+  // for, rad, the larger of both; 0 on NS, where they span planes.
   double turn(const SolutionPoint& from, const SolutionPoint& to) const;
   // Whether A(mu) is singular there, judged by borders of its own.
   bool is_on_locus(const SolutionPoint& point);
-  // Nothing where F cannot be evaluated.
+  // Returns nullopt when F cannot be evaluated.
   std::optional<ZeroEvaluation> evaluate(const Vector& y, double second);
-  // The multipliers of the orbit but for the critical ones.
+  // The multipliers of the orbit except the critical ones.
   std::vector<Eigenvalue> other_multipliers(const Vector& y, double second,
                                             ErrorBounds errors) const;
   // w^T A_u v v and w^T closing v of LP and PD, w and v unit and on the side of the borders at
-  // `from`. Nothing where F cannot be evaluated.
+  // `from`. Returns nullopt when F cannot be evaluated.
   std::optional<std::array<double, 2>> degeneracies(const SolutionPoint& from,
                                                     const SolutionPoint& at);
-  // Of F, so far.
+  // Evaluations of F so far.
   long long evaluations() const { return evaluations_; }
 
  private:
@@ -103,7 +103,7 @@ class LocusEquations {
   double range_, second_range_;
   std::vector<Anchor> anchors_;
   std::vector<Block> blocks_;  // of the anchors, in their order
-  // Borders that suit where F was evaluated last: one of these becomes a point.
+  // Borders at the latest evaluations of F: one of these becomes a point.
   std::vector<Anchor> recent_;
   std::size_t oldest_ = 0;
   long long evaluations_ = 0;

@@ -4,9 +4,9 @@
 // along the branch even where multipliers meet, so that the crossing rho_j = 1 between two points
 // is a root of one function; no product of all multipliers is ever formed. Multipliers outside the
 // circle are counted by kind (real below -1, real above 1, complex), and a piece whose counts
-// change by more than one crossing is halved. What crossed is read off the multiplier itself: real
-// and negative a period doubling, complex a torus, real and positive a fold or branch point (found
-// otherwise). Two that meet at -1 and go on along the circle are a period doubling too.
+// change by more than one crossing is halved. The multiplier that crosses gives the kind: real and
+// negative a period doubling, complex a torus, real and positive a fold or branch point (found
+// otherwise). Two that meet at -1 and go on along the circle are a period doubling, too.
 #pragma once
 
 #include <cstddef>
@@ -19,15 +19,16 @@ namespace graze {
 
 class CircleCrossings {
  public:
-  // Those of one step, added to `found`. Refers to all of them, which must outlive it. `step`: see
-  // CriticalPoint::after.
+  // Adds the crossings of one step to `found`. Refers to all arguments, which must outlive it.
+  // `step`: see CriticalPoint::after.
   CircleCrossings(const ZeroProblem& problem, Corrector& corrector, const StopSignal& stop,
                   std::size_t step, std::vector<CriticalPoint>& found)
       : problem_(problem), corrector_(corrector), stop_(stop), step_(step), found_(found) {}
 
-  // Between neighbours a and b within the step, whose multipliers are known; in no order.
+  // Adds those between neighbours a and b within the step, whose multipliers are known; in no
+  // order.
   void add(const SolutionPoint& a, const SolutionPoint& b);
-  // Those that the ends of the piece show, where they differ by one.
+  // Adds those that the ends of the piece show, where they differ by one crossing.
   void add_undivided(const SolutionPoint& a, const SolutionPoint& b);
 
  private:

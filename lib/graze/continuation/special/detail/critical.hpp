@@ -1,8 +1,8 @@
 // Special points of a traced branch that its tangents do not show: branch points from its
 // orientation, period doublings and tori from its multipliers.
 //
-// The latter two are read off the multipliers at points within each step, so many that every
-// crossing is seen (crossing_samples.hpp, circle_crossings.hpp). Branch points are located as
+// The latter two are found from the multipliers at points within each step, as many as needed to
+// see every crossing (crossing_samples.hpp, circle_crossings.hpp). Branch points are located as
 // regular solutions of a larger system.
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace graze {
 
-// Adds them to branch.critical, which holds the folds, and puts all in order along the branch.
-// Those found so far where `stop` asks for it.
+// Adds them to branch.critical, which holds the folds, and sorts all along the branch. When `stop`
+// is requested, only those found so far.
 void add_critical_points(Branch& branch, const ZeroProblem& problem, Corrector& corrector,
                          const StopSignal& stop);
 

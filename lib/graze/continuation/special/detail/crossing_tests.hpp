@@ -5,9 +5,9 @@
 //   g(x) = x/sqrt(|x|^2 + c^2)
 //
 // (the torus function vanishes at neutral saddles, mu_i mu_j = 1, too). Through g a factor counts
-// only where it is small: neither a multiplier that runs off beside a grazing nor the number of
-// modes makes the products run with it. They say where within a step to look for crossings that its
-// ends do not show; what is found there is read off the multipliers themselves.
+// only where it is small: neither a multiplier that diverges beside a grazing nor the number of
+// modes lets the products diverge. They show where within a step to search for crossings that its
+// ends do not show; the kind of a crossing is decided by the multipliers themselves.
 #pragma once
 
 #include <array>

@@ -33,8 +33,8 @@ Observable<Real> gap_observable(const RealVector<Real>& row, const Real& gap) {
   return {gap, -row, {}, {}};
 }
 
-// The observable at forcing phase theta: value, and its rounding as noise (one eps for every
-// product and every sum, of its size).
+// The observable at forcing phase theta: its value, and its rounding error as noise (one eps for
+// every product and every sum, of its size).
 template <class Real>
 CurvePoint<Real> observed(const Observable<Real>& observable, const Real& theta,
                           const RealVector<Real>& q, const RealVector<Real>& qdot);
@@ -42,8 +42,8 @@ CurvePoint<Real> observed(const Observable<Real>& observable, const Real& theta,
 template <class Real>
 class ArcCurve {
  public:
-  // What cannot be written in modes: adds derivative m of its part and m + 1, a bound and noise.
-  // The rest of the curve is in the point already.
+  // The part of the curve that has no modal form: adds its derivatives m and m + 1, a bound and
+  // noise to the point, which holds the rest of the curve already.
   using Part = std::function<void(const Real& s, int m, Reach reach, CurvePoint<Real>& point)>;
 
   // `window`: the arc is used for 0 <= s <= window. `from_zero`: c(0) = 0 as an identity.
@@ -52,7 +52,7 @@ class ArcCurve {
     restart(arc, observable, window, from_zero);
   }
   ArcCurve() = default;
-  // The same along another arc; `observable` is the one that it was made of.
+  // The same along another arc; `observable` must be the one given at construction.
   void restart(const Arc<Real>& arc, const Observable<Real>& observable, const Real& window,
                bool from_zero);
   void set_window(const Real& window) { window_ = window; }
@@ -68,13 +68,13 @@ class ArcCurve {
   // Derivative m = 0..3 of the curve with its slope and bound.
   CurvePoint<Real> at(const Real& s, int m, Reach reach = Reach::kWindow) const;
   const Real& window() const { return window_; }
-  // Parts that an evaluation adds up.
+  // Number of terms that an evaluation adds up.
   std::size_t terms() const { return terms_.size() + specials_.size(); }
 
  private:
   static constexpr std::size_t kOrders = 5;  // derivatives 0..4 are evaluated, 5 is bounded
 
-  // How the coefficient of a term follows from the two numbers of its mode's motion.
+  // Which of the two numbers of its mode's motion the coefficient of a term is formed from.
   enum class Takes { kBoth, kFirst, kSecond };
   struct Source {
     int mode;
@@ -82,23 +82,24 @@ class ArcCurve {
     PlanarNumber<Real> weight;
     Real formed_from;
   };
-  // A mode that has no exponential form: near critical, or answering from rest.
+  // A mode that has no exponential form: near critical damping, or with its response taken from
+  // rest.
   struct Special {
     const ModeFlow<Real>* mode;
     int index;                    // of the mode
     Real displacement, velocity;  // weights
-    Real apart;                   // |P_j| + |offset|, from which the free part was told apart
+    Real apart;                   // P_j| + |offset|, which were subtracted to get the free part
     Real q = 0, qdot = 0;         // free part at the start
   };
 
   using Bounds = std::array<Real, kOrders + 2>;  // of the derivatives from the second on
-  // For `ahead` seconds from where the displacement has the derivatives d.
+  // Bounds for `ahead` seconds from where the displacement has the derivatives d.
   Bounds special_bounds(const ModeFlow<Real>& mode, const std::array<Real, kOrders + 1>& d,
                         const Real& ahead) const;
   void add_special(const Special& special, const Real& s, int m, Reach reach,
                    CurvePoint<Real>& point) const;
   void leave_out_quick(const TermShares<Real>& shares, CurvePoint<Real>& point) const;
-  // What all arcs of a flow share.
+  // Sets what all arcs of a flow share.
   void adopt(const ExactFlow<Real>& flow, const Observable<Real>& observable);
 
   Real frequency_ = 0, theta_ = 0, window_ = 0;

@@ -26,7 +26,7 @@ CurvePoint<Real> observed(const Observable<Real>& observable, const Real& theta,
     add(observable.harmonic.re * cos(theta) - observable.harmonic.im * sin(theta));
   const int terms = static_cast<int>(moves ? 2 * q.size() : q.size()) + 2;
   CurvePoint<Real> start;
-  // In this order: the constant last, as the gap is formed everywhere.
+  // The constant is added last, as wherever a gap is formed, so that all agree bit by bit.
   start.value = observable.constant + value;
   start.noise = Real(terms) * std::numeric_limits<Real>::epsilon() * size;
   return start;
@@ -135,8 +135,8 @@ CurvePoint<Real> ArcCurve<Real>::at(const Real& s, int m, Reach reach) const {
   return point;
 }
 
-// Quick terms of small size bend the curve most and move it least: those from the quickest on that
-// together cannot take away more than half of what is left.
+// Fast terms of small size have the largest curvature and move the curve least: terms are left out
+// from the fastest on while together they cannot take away more than half of what is left.
 template <class Real>
 void ArcCurve<Real>::leave_out_quick(const TermShares<Real>& shares,
                                      CurvePoint<Real>& point) const {
@@ -217,7 +217,7 @@ void ArcCurve<Real>::add_special(const Special& special, const Real& s, int m, R
 
   const Real quick = mode.omega + damping;
   Real ahead = window_ > s ? Real(window_ - s) : Real(0);
-  // A force goes on feeding the bound; a step needs it only as far as the mode's own time.
+  // The force keeps the bound growing; a step needs it only for the time scale of the mode.
   if (driven && reach == Reach::kStep && ahead * quick > 1) {
     ahead = 1 / quick;
     point.reach = std::min(point.reach, ahead);
@@ -234,7 +234,7 @@ void ArcCurve<Real>::add_special(const Special& special, const Real& s, int m, R
   point.third = order + 4 < bound.size()
                     ? Real(point.third + abs(x) * bound[order + 3] + abs(v) * bound[order + 4])
                     : std::numeric_limits<Real>::infinity();
-  // The start's energy, not the present one, has gone through the roundings.
+  // Rounding is that of the energy at the start, not of the present one.
   const Real force_size = abs(mode.load) + (driven ? Real(abs(mode.force)) : Real(0));
   Real rounding = sqrt(special.qdot * special.qdot + w2 * special.q * special.q) + force_size * s +
                   (quick + frequency_) * special.apart;

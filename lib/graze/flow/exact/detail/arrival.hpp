@@ -1,4 +1,4 @@
-// How a flight ends: what the phases of a motion tell those who decide between them.
+// How a flight ends: the event that a phase reports to the code that decides on the next phase.
 #pragma once
 
 #include <optional>
@@ -29,13 +29,13 @@ struct Arrival {
   Real flight = 0;            // s, length of the arc
   Real speed = 0;             // m/s, approach speed at a contact
   long long evaluations = 0;  // of gaps and contact forces, in search of the event
-  // Least of these at the ends of the steps of a motion that is integrated step by step.
+  // Smallest gap or contact force at the ends of the steps of a motion that is integrated.
   std::optional<Real> lowest{};
   // Separation: the force is gone below the surface of the stop, which is left later.
   bool below = false;
-  bool forward = false;  // joint: what has held it is turned forward
-  // Of a spring at whose surface the structure was resting: entered, or left, from the start of the
-  // arc on, for so long at least, s.
+  bool forward = false;  // joint: the torque that its friction held turns it forward
+  // For a spring whose surface the structure was touching at rest: it is entered, or left, from the
+  // start of the arc on, and certain for at least this long, s.
   Real sure = 0;
   // The sign of a contact force that was zero at the start is certain `sure` seconds after it.
   bool told = false;

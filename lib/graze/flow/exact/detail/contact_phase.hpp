@@ -1,7 +1,7 @@
 // A contact phase: the smooth motion while the same stops are closed and the same springs
 // compressed (none of either: free flight), up to the first event that ends it.
 //
-// Eight of them stand behind this contract, chosen once for each phase (phase_choice.hpp):
+// Eight classes implement this contract, chosen once for each phase (phase_choice.hpp):
 //
 //   FreePhase         nothing holds the structure: its modes in closed form    exact_phase.hpp
 //   ConstrainedPhase  closed stops hold it, and it has real modes there        exact_phase.hpp
@@ -12,7 +12,7 @@
 //   SprungPhase       springs of any kind are                                  sprung_phase.hpp
 //   TurningPhase      the structure turns on a hub, with springs or without    turning_phase.hpp
 //
-// In 50 digits there are the first two, which have nothing but closed forms.
+// In 50 digits there are only the first two, which use closed forms alone.
 #pragma once
 
 #include <limits>
@@ -26,14 +26,14 @@
 
 namespace graze {
 
-// The springs that the structure compresses: those whose force acts, those whose force is gone
-// before the structure has left them, and those at whose surface it rests though something moves it
-// there, by how much and to which side no derivative tells yet: they press where it gets beyond.
-// Indices of stops, ascending.
+// The springs that take part, indices of stops, ascending. `loaded`: their force acts. `parted`:
+// their force is gone before the structure has left them. `resting`: the structure rests at their
+// surface and will move, but no derivative shows to which side; they act once the surface is
+// passed.
 struct PhaseSprings {
   std::vector<int> loaded, parted, resting{};
   bool empty() const { return loaded.empty() && parted.empty() && resting.empty(); }
-  // In the order in which phases have them.
+  // All of them in the order in which phases store them.
   std::vector<int> all() const {
     std::vector<int> list = loaded;
     list.insert(list.end(), parted.begin(), parted.end());
@@ -43,18 +43,18 @@ struct PhaseSprings {
   auto operator<=>(const PhaseSprings&) const = default;
 };
 
-// What makes a phase what it is.
+// What identifies a phase.
 struct PhaseKey {
   std::vector<int> closed;  // indices of stops with linearly independent rows
   PhaseSprings springs{};
   Joint joint = Joint::kFree;  // of a hub with friction
-  // Beside springs: rigid stops, closed or open, of which no derivative tells how the contact force
-  // or the gap leaves zero.
+  // Rigid stops beside springs, closed or open, whose contact force or gap leaves zero in a way
+  // that no derivative shows.
   std::vector<int> untold{};
   auto operator<=>(const PhaseKey&) const = default;
 };
 
-// What a flight is asked for.
+// The limits and options of one flight.
 template <class Real>
 struct Flight {
   Real until = 0, horizon = 0;   // s from its start: nobody asks beyond `until`; the search goes
@@ -62,7 +62,7 @@ struct Flight {
   std::span<const int> order{};  // in which stops are looked at
   const StopSignal& stop;        // asked now and then
   double told_depth = 0.0;       // m, see StepFlow::deepest
-  // Of every stop, up to when it is known to stay on its side of the surface, s; empty: of none.
+  // For every stop, s, up to when its gap or force is known to stay positive; empty: not known.
   std::span<const Real> sure{};
   Real sure_of(int i) const { return sure.empty() ? Real(0) : sure[static_cast<std::size_t>(i)]; }
 };
@@ -84,12 +84,12 @@ class ContactPhase {
   const PhaseKey& key() const { return key_; }
   const std::vector<int>& closed() const { return key_.closed; }
   const PhaseSprings& springs() const { return key_.springs; }
-  // Why it cannot be followed, or empty: the motion that is held grows without bound (an oblique
-  // law can do that), or has no real modes and the scalar is not double.
+  // Why the phase cannot be followed, or empty: the held motion grows without bound (possible with
+  // an oblique law), or has no real modes and the scalar is not double.
   virtual std::string refusal() const { return {}; }
 
-  // An arc begins: the state at forcing phase theta; s counts from here. `time`: of the instant on
-  // its clock, s, which a torque on a hub goes by.
+  // Starts an arc at the state and forcing phase theta; s counts from here. `time`: of that
+  // instant, s, for the torque on a hub.
   virtual void start(const Real& theta, const RealVector<Real>& q, const RealVector<Real>& qdot,
                      const Real& time) = 0;
   void start(const Real& theta, const RealVector<Real>& q, const RealVector<Real>& qdot) {
@@ -97,8 +97,8 @@ class ContactPhase {
   }
   // Displacements and velocities s seconds after the start.
   virtual void state(const Real& s, RealVector<Real>& q, RealVector<Real>& qdot) const = 0;
-  // The first event of the arc, which starts at `now`; kTime at the end of the horizon, or where a
-  // flight is to be cut, if there is none.
+  // The first event of the arc, which starts at `now`; kTime when there is none up to the horizon,
+  // or up to where the flight has to be cut.
   virtual Arrival<Real> first_event(const MotionState<Real>& now, const Flight<Real>& flight) = 0;
 
   // At the start of the arc, a derivative of the gap of an open stop with its slope and rounding;
@@ -109,33 +109,33 @@ class ContactPhase {
   virtual Real force_at(int stop, const Real& s, const RealVector<Real>& q,
                         const RealVector<Real>& qdot) const = 0;
   virtual Real force_rate(int stop) const = 0;
-  // What of a contact force may be an error where the last search ended because one of them was
-  // told (Arrival::told), N in units of the modal mass.
+  // Error bound of a contact force, N in units of the modal mass, where the last search ended
+  // because the sign of one of them became certain (Arrival::told).
   virtual Real force_error(int /*stop*/) const { return 0; }
-  // Whether the motion is known ahead, with bounds; what follows is asked for only then.
+  // Whether the motion is known ahead, with bounds; outlook() and stays_quiet() require it.
   virtual bool sees_ahead() const { return false; }
-  // At the start of the arc, a derivative of the gap of an open stop, which the structure is on, or
-  // of the contact force of a closed one; its bounds hold for so many seconds.
+  // At the start of the arc, a derivative of the gap of an open stop that the structure touches, or
+  // of the contact force of a closed one; its bounds hold for `ahead` seconds.
   virtual CurvePoint<Real> outlook(int /*stop*/, int /*order*/, const Real& /*ahead*/) const {
     return {};
   }
-  // Whether an open stop is not met in that time, a closed one not released.
+  // Whether an open stop is not met in that time, or a closed one not released.
   virtual bool stays_quiet(int /*stop*/, const Real& /*duration*/) const { return false; }
-  // Of the right-hand side of the equations of motion, where they are integrated.
+  // Number of evaluations of the equations of motion, where they are integrated.
   virtual long long evaluations() const { return 0; }
 
   // The closed form of the arc; null where it has none.
   virtual const ExactPhase<Real>* exact() const { return nullptr; }
-  // Of compressed springs, and of a structure on a hub; null where nothing of that is there.
+  // The motion on compressed springs or on a hub; null for others.
   virtual const SpringArc* sprung() const { return nullptr; }
-  // What follows it by power series; null where that is something else.
+  // The phase itself where it uses power series; null for others.
   virtual const SeriesPhase* series() const { return nullptr; }
-  // What integrates it step by step; null where its closed form is the motion.
+  // Its integrator; null where the closed form is used.
   virtual StepFlow* stepped() const { return nullptr; }
 
  protected:
-  // Flights are to be cut to this, s; infinite but for matrix exponentials, and for a torque that
-  // is smooth no longer.
+  // Longest flight without a cut, s; finite only with matrix exponentials, and with a torque up to
+  // its next jump or kink.
   virtual Real longest_flight() const { return std::numeric_limits<Real>::infinity(); }
 
  private:

@@ -14,15 +14,15 @@ struct CurvePoint {
   Real reach = std::numeric_limits<Real>::infinity();  // s; infinite: to the end of the window
   Real curvature = 0;                                  // derivative m + 2
   Real third = std::numeric_limits<Real>::infinity();  // |derivative m + 3|, bounded like `bound`
-  // The same of the slow terms alone. The quick ones together fall by at most `fall` from here on;
-  // infinite where they are not told apart.
+  // The same for the slow terms alone. The fast ones together fall by at most `fall` from here on;
+  // infinite where slow and fast terms are not separated.
   struct Slow {
     Real slope = 0, curvature = 0, third = 0;
     Real fall = std::numeric_limits<Real>::infinity();
   };
   Slow slow{};
 
-  // Of the curve's negative.
+  // Becomes the point of the negative curve.
   void turn_round() {
     value = -value;
     slope = -slope;

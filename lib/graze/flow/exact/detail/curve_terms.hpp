@@ -1,5 +1,5 @@
 // The exponential terms of a curve, Re(k (e^{l s} - 1)) with l = -decay + i frequency: their
-// values, derivatives and bounds at one s, summed and told apart.
+// values, derivatives and bounds at one s, as sums and term by term.
 //
 // In double precision several terms go through the processor's vector unit at a time, chosen at run
 // time (term_kernels.hpp); an extended scalar takes them one by one.
@@ -16,14 +16,14 @@
 
 namespace graze {
 
-// Up to so many terms are told apart into slow and quick ones.
+// Up to so many terms are separated into slow and fast ones.
 inline constexpr std::size_t kMostShares = 64;
 
-// What each term adds to a point; entry by entry.
+// The contribution of each term to a point.
 template <class Real>
 struct TermShares {
   std::array<Real, kMostShares> slope, curvature, third;
-  std::array<Real, kMostShares> fall;  // from here to the lowest that it can get
+  std::array<Real, kMostShares> fall;  // largest possible fall from here on
 };
 
 // Rounding of one term k (e^{l s} - 1): the argument, sine, exponential, two products and the sum
@@ -48,7 +48,7 @@ class CurveTerms {
     Real decay = 0, frequency = 0;
     PlanarNumber<Real> coefficient;  // k
     Real size = 0, rate_size = 0;    // |k|, |l|
-    Real rounded = 0;                // what k was rounded at: its size and its origin
+    Real rounded = 0;                // size of the numbers that k was rounded at
   };
   std::vector<Term> terms_;
 };

@@ -1,7 +1,7 @@
 // The exact motion of the linear modal system between events.
 //
-// Each mode is a free part, written in the form that suits its damping, and a forced part
-// p_j = Re(P_j e^{i theta}), P_j = f_j/(w_j^2 - W^2 + 2 i delta_j W):
+// Each mode is a free part, written in the form that suits its damping, and a forced part p_j =
+// Re(P_j e^{i theta}), P_j = f_j/(w_j^2 - W^2 + 2 i delta_j W):
 //   - oscillatory:    Re(Z e^{(-delta + i wd) s}) + p
 //   - overdamped:     A e^{-slow s} + B e^{-fast s} + p
 //   - near critical:  the basis of free_basis.hpp + p (also a free mass, w = 0)
@@ -10,8 +10,8 @@
 //                     motion's own start, and the response to the force from rest is added, in a
 //                     form that holds down to zero detuning, damping, frequency (forced_response).
 // A constant load c_j moves the rest position to c_j/w_j^2; where that is far beyond the stops (a
-// free mass, w = 0, or nearly one) or there is none to tell, its response from rest is added.
-// A template on the scalar: double, and an extended type for references.
+// free mass, w = 0, or nearly one), or no stops give a length to compare with, its response from
+// rest is added. A template on the scalar: double, and an extended type for references.
 #pragma once
 
 #include <Eigen/Core>
@@ -35,7 +35,7 @@ struct LinearSystem {
   RealVector<Real> amplitude;     // f_j, with forcing
   RealVector<Real> load;          // c_j; empty: none
   // How far the modes move between stops, in their own coordinates: the largest |gap|/|row|, m
-  // sqrt(kg); 0 where no gap tells, infinite without stops, where nothing is told from a gap.
+  // sqrt(kg); 0 where all gaps are 0, infinite without stops.
   Real reach = 0;
 };
 
@@ -74,12 +74,12 @@ class ExactFlow {
   Real frequency() const { return frequency_; }
   // Forcing period, s; infinity without forcing.
   Real period() const { return period_; }
-  // The flow in which an arc from this state is written: this one, or, where no gap tells how far
-  // the motion goes and the state is small against the harmonic responses, one whose modes all
-  // answer from rest.
+  // The flow in which an arc from this state is written: usually this one. Where all gaps are 0 and
+  // the state is small against the harmonic responses, it is one with all responses taken from
+  // rest.
   const ExactFlow& for_start(const RealVector<Real>& q, const RealVector<Real>& qdot) const;
-  // How the exponentials of forcing (first) and modes turn and decay; zero for a mode in another
-  // form. In columns for turn_terms.
+  // Frequencies and decay rates of the exponentials of forcing (first) and modes; zero for a mode
+  // in another form. In columns for turn_terms.
   struct Turns {
     std::vector<Real> decay, half_frequency;  // 1/s, rad/s
     Real quickest = 0;                        // largest half frequency
@@ -111,7 +111,7 @@ class Arc {
   explicit Arc(const ExactFlow<Real>& flow);
 
   void start(const Real& theta, const RealVector<Real>& q, const RealVector<Real>& qdot);
-  // Whether it was started there, to the last bit.
+  // Whether the arc starts there, to the last bit.
   bool starts_at(const Real& theta, const RealVector<Real>& q, const RealVector<Real>& qdot) const {
     return theta_ == theta && start_.size() == q.size() && start_ == q && start_rate_ == qdot;
   }
@@ -138,7 +138,7 @@ class Arc {
   // Mode j at s, where the forcing has cosine c and sine n.
   void mode_state(int j, const Real& s, const Real& c, const Real& n, Real& q, Real& qdot) const;
 
-  const ExactFlow<Real>*whole_flow_, *flow_;  // as it was given; in which the arc is written
+  const ExactFlow<Real>*whole_flow_, *flow_;  // as given; the one in which the arc is written
   Real theta_ = 0;
   PlanarNumber<Real> turn_{1, 0};
   RealVector<Real> start_, start_rate_;

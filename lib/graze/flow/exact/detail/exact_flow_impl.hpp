@@ -28,11 +28,11 @@ void turn_terms(const Real* decay, const Real* half_frequency, std::size_t count
 }
 
 // A response P_j beyond this many times the reach of the stops is taken from rest as well: its
-// rounding would be 1e-12 of the reach. (Below, P_j is a usual thing, the motion away from a stop.)
-// Where every gap is 0 the stops say nothing of the size of the motion, and the state does.
+// rounding would be 1e-12 of the reach. (Below, P_j is of ordinary size: the motion away from a
+// stop.) Where every gap is 0 the size of the state replaces the reach.
 inline constexpr double kFarthestResponse = 4096.0;
 
-// The two exponentials of a mode are told apart when their rates differ by at least this part of
+// The two exponentials of a mode count as distinct when their rates differ by at least this part of
 // omega (one bit lost) and of the forcing frequency (six bits lost over a period).
 inline constexpr double kSeparationByOmega = 0.5;
 inline constexpr double kSeparationByForcing = 1.0 / 64.0;
@@ -89,7 +89,7 @@ void classify_load(ModeFlow<Real>& mode, const Real& load, const Real& frequency
                    const Real& reach) {
   using std::isfinite;
   if (load == 0) return;
-  // Without stops the motion is as large as what the load moves it by in a forcing period.
+  // Without stops, the size of the motion is what the load moves it by in a forcing period.
   const bool is_near = isfinite(reach) ? rests_within_reach(load, mode.omega, reach)
                                        : frequency > 0 && kSlowestToRefer * mode.omega >= frequency;
   const bool has_rest = mode.omega > 0 && is_near;
@@ -165,7 +165,8 @@ template <class Real>
 const ExactFlow<Real>& ExactFlow<Real>::for_start(const RealVector<Real>& q,
                                                   const RealVector<Real>& qdot) const {
   if (!from_rest_) return *this;
-  // It is there already, or comes so far against the push that throws it back.
+  // The motion is that large already, or starts at a speed with which it rises so far against the
+  // load.
   const Real height = qdot.squaredNorm() / (2 * push_);
   const Real reach = std::max<Real>(q.norm(), height);
   return farthest_response_ > exact_flow_detail::kFarthestResponse * reach ? *from_rest_ : *this;
@@ -218,7 +219,7 @@ void Arc<Real>::mode_state(int j, const Real& s, const Real& c, const Real& n, R
     y = slow + fast;
     ydot = -mode.first * slow - mode.second * fast;
   } else {
-    // From the start on, by the acceleration there: what a soft mode does not feel cancels nothing.
+    // Counted from the start, with the acceleration there: nothing cancels in a soft mode.
     const FreeBasis<Real> basis = free_basis(mode.omega, mode.delta, mode.discriminant, s);
     const Real push = mode.load - mode.omega * mode.omega * a.re;
     y = a.re + push * step_response(mode.omega, mode.delta, mode.discriminant, s) +

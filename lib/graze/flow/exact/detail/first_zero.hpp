@@ -6,8 +6,8 @@
 // and nothing to miss. Once Newton's method is certain to converge to that same zero it
 // finishes: Kantorovich asks 2 K |g| <= g'^2, here 4 K |g| <= g'^2, with steps that shrink sixfold.
 //
-// Near tangency double precision cannot always tell a touch from a miss; then the answer is a
-// touch, which says that the curve comes within its own rounding error of zero.
+// Near tangency double precision cannot always distinguish a touch from a miss; the result is then
+// a touch, which means that the curve comes within its own rounding error of zero.
 #pragma once
 
 #include <algorithm>
@@ -40,8 +40,8 @@ struct FirstZero {
 // The search is bounded: near-tangent motion at the noise floor takes a few thousand evaluations.
 inline constexpr int kMostSearchEvaluations = 1000000;
 
-// Evaluations between two looks at the stop signal: hardly any search takes so many, and of the
-// 400 modes that a scene may have they take a tenth of a millisecond or so.
+// Evaluations between two looks at the stop signal: hardly any search takes so many, and with 400
+// modes they take a tenth of a millisecond or so.
 inline constexpr int kEvaluationsPerLook = 64;
 
 namespace first_zero_detail {
@@ -59,11 +59,11 @@ Real safe_step(const Real& value, const Real& slope, const Real& bound) {
   return slope > 0 ? Real((slope / bound) * (1 + root)) : Real((value / -slope) * (2 / (1 + root)));
 }
 
-// Until when value + slope s - bound s^2/2 stays positive; a bound may be negative.
+// How long value + slope s - bound s^2/2 stays positive; the bound may be negative.
 template <class Real>
 Real parabola_step(const Real& value, const Real& slope, const Real& bound) {
   using std::sqrt;
-  // Quickly, where squares are far from the ends of the scalar's range.
+  // The fast way, where squares are far from the ends of the scalar's range.
   const Real square = slope * slope, whole = square + 2 * value * bound;
   if (square > std::numeric_limits<Real>::min() && whole < std::numeric_limits<Real>::max()) {
     if (!(whole >= 0)) return std::numeric_limits<Real>::infinity();
@@ -79,8 +79,8 @@ Real parabola_step(const Real& value, const Real& slope, const Real& bound) {
 }
 
 // The same with a bound on the third derivative, g >= g0 + g0' s + g0'' s^2/2 - third s^3/6: up to
-// any h that is above a parabola with the bound third h/3 - g0''. Of a few h, from `first` on, the
-// best.
+// any h this is above a parabola with the bound third h/3 - g0''. Tries a few h, from `first` on,
+// and returns the best.
 template <class Real>
 Real cubic_step(const Real& value, const Real& slope, const Real& curvature, const Real& third,
                 const Real& first) {
@@ -89,7 +89,7 @@ Real cubic_step(const Real& value, const Real& slope, const Real& curvature, con
   if (third == 0) return parabola_step(value, slope, Real(-curvature));
   const Real rise = third / 3;
   Real h = first, best = 0;
-  // Each is certain; around the longest one the two run towards each other.
+  // Every step is certain; at the longest one, step and h are equal.
   for (int i = 0; i < 3; ++i) {
     const Real step = parabola_step(value, slope, Real(rise * h - curvature));
     if (!(step >= 0)) return best;
@@ -99,7 +99,7 @@ Real cubic_step(const Real& value, const Real& slope, const Real& curvature, con
   return best;
 }
 
-// How far the curve is sure to stay positive that has `clear` > 0 left at this point.
+// How far the curve is certain to stay positive when its value at this point is `clear` > 0.
 template <class Real>
 Real clear_step(const CurvePoint<Real>& point, const Real& clear) {
   using std::isfinite;
@@ -114,7 +114,7 @@ Real clear_step(const CurvePoint<Real>& point, const Real& clear) {
   return std::min<Real>(step, point.reach);
 }
 
-// Bound on the second derivative within so much of the point.
+// Bound on the second derivative within a distance of the point.
 template <class Real>
 Real bound_within(const CurvePoint<Real>& point, const Real& distance) {
   using std::abs;
@@ -140,8 +140,8 @@ FirstZero<Real> finish(const Sample& sample, Real s, CurvePoint<Real> point, int
     return Real(newton / (1 + newton * point.curvature / (2 * point.slope)));
   };
   // From a distance d the next is C d^3. All points lie behind the first, whose bound holds there.
-  // What is left always has the same sign, and the energy would feel a bias of half an ulp (hard
-  // case E2): a 32nd of that is asked for.
+  // The remaining error always has the same sign, and a bias of half an ulp would show in the
+  // energy (hard case E2), so a 32nd of that is required.
   const Real third = point.third;
   const auto is_exact = [&](const Real& step) {
     const Real bend = point.curvature / (2 * point.slope);
@@ -230,10 +230,10 @@ FirstZero<Real> first_descent(const Sample& sample, const Real& from, const Real
   return finish_descent(sample, approach_descent(sample, from, window, stop), window);
 }
 
-// First contact in (0, curve.window()]. `multiplicity` > 0 says that the gap starts at a known
+// First contact in (0, curve.window()]. `multiplicity` > 0 means that the gap starts at a known
 // zero: 1 just after an impact, 2 when pulled away from rest on the stop, 3 after a release, 4
-// after one at which the contact force vanishes without crossing zero. `sure`: up to then it is
-// known to stay on the structure's side.
+// after a release at which the contact force vanishes without crossing zero. `sure`: the gap is
+// known to be positive up to then.
 template <class Real>
 FirstZero<Real> first_contact(const ArcCurve<Real>& curve, int multiplicity, const Real& sure = 0,
                               const StopSignal& stop = {}) {
@@ -246,8 +246,9 @@ FirstZero<Real> first_contact(const ArcCurve<Real>& curve, int multiplicity, con
                        curve.window(), stop);
 }
 
-// The first instant at which a contact force falls through zero. Where it only comes within its
-// rounding of zero and rises again it is still a contact. `sure`: up to then it is known to press.
+// The first instant at which a contact force falls through zero. The contact goes on where the
+// force only comes within its rounding of zero and rises again. `sure`: the force is known to be
+// positive up to then.
 template <class Real>
 FirstZero<Real> first_release(const ArcCurve<Real>& force, const StopSignal& stop = {},
                               const Real& sure = 0) {
@@ -260,14 +261,14 @@ FirstZero<Real> first_release(const ArcCurve<Real>& force, const StopSignal& sto
     evaluations += zero.evaluations;
     zero.evaluations = evaluations;
     if (zero.kind != ZeroKind::kCrossing && zero.kind != ZeroKind::kTouch) return zero;
-    // Certain where the parabola through it dips below the rounding.
+    // A release is certain where the parabola through the point dips below the rounding.
     const CurvePoint<Real> point = force.at(zero.s, 0);
     if (point.slope < 0 && point.slope * point.slope > 8 * point.bound * point.noise) {
       zero.kind = ZeroKind::kCrossing;
       return zero;
     }
     if (point.bound == 0) return {ZeroKind::kNone, force.window(), Real(0), evaluations};
-    // Past the stretch in which rounding hides the sign, from either side of the lowest point.
+    // Skips the stretch in which rounding hides the sign, on either side of the lowest point.
     const Real beyond = zero.s + 4 * sqrt(2 * (point.noise / point.bound));
     if (!(beyond > zero.s)) return {ZeroKind::kBudget, zero.s, Real(0), evaluations};
     if (beyond <= force.window()) {

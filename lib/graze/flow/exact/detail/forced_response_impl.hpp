@@ -3,8 +3,8 @@
 // With the roots l, l* of the mode (or its two rates) and E(l) = (e^{iWs} - e^{ls})/(iW - l) it is
 // the divided difference (E(l) - E(l*))/(l - l*) times e^{i theta}. Which form does not cancel
 // depends on the flight:
-//   - nothing turns or decays much (2 delta + w + W) s < 2: the power series, led by s^2/2;
-//   - the roots are told apart over the flight, |l - l*| s >= 1 and |l - l*| >= w: the divided
+//   - nothing oscillates or decays much, (2 delta + w + W) s < 2: the power series, led by s^2/2;
+//   - the roots are distinct over the flight, |l - l*| s >= 1 and |l - l*| >= w: the divided
 //     difference, E itself written for l near iW;
 //   - else the mode is near critical, |w^2 - W^2 + 2 i delta W| is w^2 + W^2 to a factor, or W s
 //     is not small: the harmonic response less the free motion from its start.
@@ -74,7 +74,7 @@ PlanarNumber<Real> forced_by_series(const ModeFlow<Real>& mode, const Real& freq
   return {q, s == 0 ? Real(0) : Real(rate / s)};
 }
 
-// By E(l) and E(l*), and by l E(l) and l* E(l*).
+// From E(l) and E(l*) for the displacement, and from l E(l) and l* E(l*) for the velocity.
 template <class Real>
 PlanarNumber<Real> forced_by_roots(const ModeFlow<Real>& mode, const Real& frequency,
                                    const Real& theta, const Real& s) {

@@ -1,5 +1,5 @@
 // Exponentials of an arc several at a time, by the widest vector unit that the processor has
-// (Google's Highway; chosen at run time). What the units differ by is rounding.
+// (Google's Highway; chosen at run time). Results of different units differ by rounding.
 //
 // Columns hold one number per term and end at a multiple of kColumnStep; what lies behind the last
 // term is zero.
@@ -23,12 +23,12 @@ struct TermColumns {
   double quickest;  // largest half frequency
 };
 
-// Of derivative m: the sums over all terms.
+// Sums over all terms for derivative m.
 struct TermSums {
   double value, slope, curvature, bound, third, rounding;
 };
 
-// What each term adds; null: nobody asks.
+// The contribution of each term; null: not requested.
 struct TermShareColumns {
   double *slope, *curvature, *third, *fall;
 };

@@ -40,9 +40,9 @@ HWY_INLINE Numbers series(Numbers x, const std::array<double, 8>& a) {
 // Adding it to a number rounds that to an integer, whose lowest bits are then those of the sum.
 inline constexpr double kToInteger = 0x1.8p52;
 
-// e^x - 1, within two units of the last place; -1 and infinity beyond the range of e^x. e^x is
-// 2^n (1 + p), where p takes Taylor's series up to r^13 of |r| <= (log 2)/2, which leaves less than
-// 2e-17 of it. Not that of the library, which takes half as many operations again.
+// e^x - 1, within two units of the last place; -1 and infinity beyond the range of e^x. e^x is 2^n
+// (1 + p), where p is Taylor's series up to r^13 for |r| <= (log 2)/2, with an error below 2e-17.
+// The library's own function takes half as many operations again.
 HWY_INLINE Numbers expm1(Numbers x) {
   static constexpr std::array<double, 8> kLow = {1.0 / 2,   1.0 / 6,    1.0 / 24,    1.0 / 120,
                                                  1.0 / 720, 1.0 / 5040, 1.0 / 40320, 1.0 / 362880};
@@ -64,15 +64,15 @@ HWY_INLINE Numbers expm1(Numbers x) {
   return hn::MulAdd(p, power, hn::Sub(power, hn::Set(d, 1.0)));
 }
 
-// Of an angle: 2 sin^2 and 2 sin cos, both of period pi.
+// For an angle: 2 sin^2 and 2 sin cos, both of period pi.
 struct Products {
   Numbers square, mixed;
 };
 
 // The angle less the nearest multiple of pi/2 is at most pi/4, where Taylor's series up to r^17 and
-// r^16 leave less than 1e-19 and 3e-18; an odd multiple exchanges sine and cosine. Not those of the
-// library, which take the angle up to pi/2: there the rounding of the coefficients shows, and
-// sin^2 + cos^2 misses 1 by 4e-17 on the average, to which the energy of 1e6 arcs adds up.
+// r^16 leave less than 1e-19 and 3e-18; an odd multiple exchanges sine and cosine. The library's
+// functions reduce the angle to pi/2 only, so that the rounding of the coefficients shows: sin^2 +
+// cos^2 misses 1 by 4e-17 on the average, which adds up in the energy of 1e6 arcs.
 HWY_INLINE Products products_near(Numbers angle) {
   static constexpr std::array<double, 8> kSine = {
       -1.0 / 6,        1.0 / 120 - 1.9e-17, -1.0 / 5040,          1.0 / 362880,
@@ -97,7 +97,7 @@ HWY_INLINE Products products_near(Numbers angle) {
           hn::IfThenElse(is_odd, hn::Neg(mixed), mixed)};
 }
 
-// Beyond the range of that reduction.
+// For angles beyond the range of that reduction.
 inline HWY_NOINLINE Products products_far(Numbers angle) {
   const Lanes d;
   HWY_ALIGN std::array<double, kColumnStep> angles{}, square{}, mixed{};

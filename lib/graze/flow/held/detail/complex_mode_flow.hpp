@@ -1,4 +1,4 @@
-// Motion of a first-order linear system in those modes that are told apart well: a sum of
+// Motion of a first-order linear system in those modes that are well separated: a sum of
 // exponentials about a static and a harmonic response.
 #pragma once
 
@@ -10,9 +10,9 @@
 
 namespace graze {
 
-// Whether the modes of a system serve: not where they are nearly dependent (defective), resonant
-// with the force, or too soft for the load: far slower than `quickest`, a rate of the structure in
-// rad/s.
+// Whether the modes of a system can be used: not where they are nearly dependent (defective),
+// resonant with the force, or too soft for the load: far slower than `quickest`, a rate of the
+// structure in rad/s.
 bool are_usable(const ComplexModes& modes, const FirstOrderSystem& system, double quickest);
 
 class ComplexModeFlow {
@@ -38,14 +38,14 @@ class ComplexModeArc {
  public:
   explicit ComplexModeArc(const ComplexModeFlow& flow) : flow_(&flow) {}
 
-  // `load`: in place of that of the system.
+  // `load` replaces that of the system.
   void start(double theta, const Vector& x, const Vector& load);
   // The part of x(s) in these modes.
   Vector state(double s) const;
   // weight.x(s) as a sum of Re(size e^{rate s}), the harmonic and the static response among them.
   void each_term(const Vector& weight, const std::function<void(Complex, Complex)>& add) const;
-  // Adds weight.(x(s) - x(0)) to the curve but for the harmonic response, of which the weight of
-  // e^{i theta} is returned.
+  // Adds weight.(x(s) - x(0)) without the harmonic response to the curve; returns the weight of
+  // e^{i theta} in that response.
   Complex add_to(ArcCurve<double>& curve, const Vector& weight) const;
 
  private:
@@ -53,7 +53,7 @@ class ComplexModeArc {
   double theta_ = 0.0;
   Vector rest_;  // static response, n
   ComplexVector amplitude_;
-  Vector formed_from_;  // what the amplitudes were told apart from, k
+  Vector formed_from_;  // size of the terms that the amplitudes were differences of, k
 };
 
 }  // namespace graze

@@ -1,4 +1,4 @@
-// The structure while closed stops (and a joint that does not turn) hold it.
+// The structure while it is held by closed stops (and by a joint that does not rotate).
 //
 // Closed stops keep b_i.q = a_i by accelerations -d_i lambda_i along the directions of their
 // impulses:
@@ -22,7 +22,7 @@ namespace graze {
 template <class Real>
 struct ConstrainedStructure {
   // `constrained`: indices of stops with linearly independent rows; none: the structure is free,
-  // and all that is empty below it is.
+  // and the members that may be empty are.
   ConstrainedStructure(const System& system, std::vector<int> constrained);
 
   bool is_free() const { return constrained.empty(); }
@@ -40,10 +40,10 @@ struct ConstrainedStructure {
   RealVector<Real> velocities(const RealVector<Real>& ydot) const {
     return is_free() ? ydot : RealVector<Real>(basis * ydot);
   }
-  // Of every stop of the system that it was made from, on y: the gap, or its contact force where it
-  // holds.
+  // For every stop of the system that it was made from, on y: the gap, or the contact force where
+  // the stop holds.
   std::vector<Observable<Real>> observables(const System& system) const;
-  // The column that belongs to a stop that holds.
+  // The column of a stop that holds.
   Eigen::Index column_of(int stop) const;
   bool holds(int stop) const {
     return column_of(stop) < static_cast<Eigen::Index>(constrained.size());
@@ -55,12 +55,12 @@ struct ConstrainedStructure {
   RealMatrix<Real> shares;     // lambda_i = share_i.(free acceleration): N x constrained stops
   RealMatrix<Real> basis;      // U, N x m
   RealVector<Real> rest;       // q_c
-  LinearSystem<Real> reduced;  // its real modes; else of these their frequencies alone
+  LinearSystem<Real> reduced;  // its real modes; where there are none, only their frequencies
   bool has_real_modes = true;
   bool is_normal = true;       // impulses act along the rows
   RealMatrix<Real> stretched;  // w U, as it was decomposed
-  Matrix left;                 // left inverse of U that knows nothing of oblique
-                               // directions (couple()); empty where there are none
+  Matrix left;                 // left inverse of U that is orthogonal to oblique directions
+                               // (couple()); empty where there are none
 
  private:
   void reduce(const System& system);
@@ -72,7 +72,7 @@ struct ConstrainedStructure {
 // their rows has real modes.
 bool proportional_damping(const System& system);
 
-// Of a structure without real modes: the equations of its y. Moves its q_c.
+// The equations of y for a structure without real modes. Moves its q_c.
 CoupledSystem couple(ConstrainedStructure<double>& structure);
 
 }  // namespace graze

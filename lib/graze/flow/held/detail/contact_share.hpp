@@ -1,5 +1,5 @@
-// How closed stops share out the push against them, lambda = (B^T D)^-1 B^T f with f the free
-// acceleration, B the rows and D the directions of the stops; and how that moves with a parameter.
+// How closed stops share the load against them, lambda = (B^T D)^-1 B^T f with f the free
+// acceleration, B the rows and D the directions of the stops; and its derivative by a parameter.
 #pragma once
 
 #include <vector>

@@ -3,9 +3,9 @@
 //   y'' + C y' + K y = load + Re(force e^{i theta}),
 //
 // as it arises while a stop is closed under an oblique impulse law or unequal damping ratios: in
-// its first-order form, by complex modes where these are told apart well; otherwise split along its
-// invariant subspaces, so that only what is defective, free, or resonant with the forcing goes
-// through matrix exponentials.
+// its first-order form, by complex modes where these are well separated; otherwise split along its
+// invariant subspaces, so that only those modes need matrix exponentials that are defective, free,
+// or resonant with the forcing.
 #pragma once
 
 #include <functional>
@@ -34,7 +34,7 @@ class CoupledFlow {
   // A sentence where a free motion grows without bound, by more than the rounding of its
   // eigenvalue; else empty.
   std::string instability() const;
-  // Bounds of matrix exponentials grow with the flight: longer flights are to be cut, s.
+  // Longest flight without a cut, s: bounds of matrix exponentials grow with the flight.
   double longest_flight() const;
 
   // The first-order form, x = (scale y, y').
@@ -57,16 +57,17 @@ class CoupledArc {
  public:
   explicit CoupledArc(const CoupledFlow& flow);
   void start(double theta, const Vector& y, const Vector& ydot);
-  // Of a system whose loads vary: displacements count from y, where the load with what stiffness
-  // does there is `load`. So nothing large has to cancel in what is small against y.
+  // For a system whose loads vary: displacements count from y, where `load` is the load together
+  // with the force of the stiffness. So nothing large has to cancel in motions that are small
+  // against y.
   void start_from(double theta, const Vector& y, const Vector& ydot, const Vector& load);
   void state(double s, Vector& y, Vector& ydot) const;
-  // What is added in s seconds to deviations (y; y') of the start, 2m x k, of a motion that starts
+  // Growth over s seconds of deviations (y; y') of the start, 2m x k, of a motion that starts
   // `delay` seconds later, k: (exp(A s) - 1) x + (d end/d start instant) delay, on (y; y').
   Matrix growth(double s, const Matrix& deviations, const Eigen::RowVectorXd& delay) const;
   ArcCurve<double> curve(const Observable<double>& observable, double window, bool from_zero) const;
-  // An observable as a sum of Re(size e^{rate s}); false, with nothing told, where some of the
-  // motion goes by matrix exponentials.
+  // An observable as a sum of Re(size e^{rate s}); returns false, without a call of `add`, where
+  // some of the motion needs matrix exponentials.
   bool each_term(const Observable<double>& observable,
                  const std::function<void(Complex, Complex)>& add) const;
 

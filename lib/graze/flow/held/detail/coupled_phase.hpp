@@ -1,4 +1,4 @@
-// The phase of a structure whose modes do not decouple: closed stops hold it so, or springs do
+// The phase of a structure whose modes do not decouple because of closed stops or of springs
 // (linear_spring_phase.hpp).
 #pragma once
 
@@ -19,7 +19,7 @@ class CoupledPhase : public ExactPhase<double> {
   const CoupledArc* coupled_arc() const override { return &arc_; }
 
  protected:
-  // With observables of every stop that are not the structure's alone.
+  // With given observables of every stop, instead of the structure's own.
   CoupledPhase(PhaseKey key, ConstrainedStructure<double> structure,
                std::vector<Observable<double>> observables, const CoupledSystem& equations);
   const CoupledFlow& flow() const { return flow_; }

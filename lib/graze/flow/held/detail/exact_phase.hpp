@@ -17,14 +17,14 @@ class ExactPhase : public ContactPhase<Real> {
   using ContactPhase<Real>::start;
   // `structure` is that of the closed stops of the key.
   ExactPhase(const System& system, PhaseKey key, ConstrainedStructure<Real> structure);
-  // With observables of every stop that are not the structure's alone.
+  // With given observables of every stop, instead of the structure's own.
   ExactPhase(PhaseKey key, ConstrainedStructure<Real> structure,
              std::vector<Observable<Real>> observables);
 
   const ConstrainedStructure<Real>& structure() const { return structure_; }
   const std::vector<Observable<Real>>& observables() const { return observables_; }
   // The gap of an open stop along the arc, for `window` seconds; `from_zero`: it starts on the
-  // stop. Holds until the arc ends, or is asked for with another window.
+  // stop. The reference is valid until the arc ends, or the gap is asked for with another window.
   const ArcCurve<Real>& gap(int stop, const Real& window, bool from_zero) const;
   // The contact force of a closed stop, N (in units of the modal mass); any observable of the
   // structure's coordinates y and y'.
@@ -32,7 +32,7 @@ class ExactPhase : public ContactPhase<Real> {
     return curve(observables_[static_cast<std::size_t>(stop)], window);
   }
   ArcCurve<Real> curve(const Observable<Real>& observable, const Real& window) const;
-  // The reduced motion, one of them: in real modes, and in modes that do not decouple.
+  // The reduced motion as one of two: in real modes, or in modes that do not decouple.
   virtual const Arc<Real>* arc() const { return nullptr; }
   virtual const CoupledArc* coupled_arc() const { return nullptr; }
 
@@ -50,7 +50,8 @@ class ExactPhase : public ContactPhase<Real> {
   void forget_curves();
 
  private:
-  // Sets a curve to this observable's; whether another window is all that another one needs.
+  // Sets the curve to that of this observable; returns whether its terms do not depend on the
+  // window.
   virtual bool set_curve(ArcCurve<Real>& curve, const Observable<Real>& observable,
                          const Real& window, bool from_zero) const = 0;
   virtual Real start_phase() const = 0;
@@ -90,7 +91,7 @@ class ConstrainedPhase final : public ExactPhase<Real> {
  public:
   ConstrainedPhase(const System& system, PhaseKey key, ConstrainedStructure<Real> structure);
 
-  // Where the structure that is held has no real modes.
+  // Not empty where the held structure has no real modes.
   std::string refusal() const override;
   void start(const Real& theta, const RealVector<Real>& q, const RealVector<Real>& qdot,
              const Real& time) override;

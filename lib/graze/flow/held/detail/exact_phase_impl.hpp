@@ -134,7 +134,7 @@ Arrival<Real> FreePhase<Real>::first_event(const MotionState<Real>& now,
   return ExactPhase<Real>::first_event(now, flight);
 }
 
-// What an instant is asked for and the flight from there are one arc.
+// An arc at the same start serves both decisions at an instant and the flight from there.
 template <class Real>
 void FreePhase<Real>::start(const Real& theta, const RealVector<Real>& q,
                             const RealVector<Real>& qdot, const Real& /*time*/) {

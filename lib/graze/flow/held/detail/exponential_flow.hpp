@@ -1,5 +1,5 @@
 // Motion of a first-order linear system in an invariant subspace by its matrix exponential: for
-// modes that cannot be told apart, are resonant with the force, or too soft for the load.
+// modes that are not well separated, are resonant with the force, or too soft for the load.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ class ExponentialFlow {
   // z' = T z + .. of the subspace x = basis z, z = coordinates x.
   ExponentialFlow(FirstOrderSystem system, Matrix basis, Matrix coordinates);
 
-  // Bounds grow with the flight: longer flights are to be cut, s.
+  // Longest flight without a cut, s: bounds grow with the flight.
   double longest_flight() const {
     return norm_growth_ > 0.0 ? 1.0 / norm_growth_ : std::numeric_limits<double>::infinity();
   }
@@ -34,7 +34,7 @@ class ExponentialFlow {
 class ExponentialArc {
  public:
   explicit ExponentialArc(const ExponentialFlow& flow) : flow_(&flow) {}
-  // `load`: in place of that of the system, on x.
+  // `load` replaces that of the system, on x.
   void start(double theta, const Vector& x, const Vector& load);
   // The part of x(s) in the subspace.
   Vector state(double s) const { return flow_->basis_ * (z_ + change(s)); }
@@ -42,7 +42,7 @@ class ExponentialArc {
  private:
   friend class ExponentialSum;
   Vector change(double s) const;  // z(s) - z(0)
-  // A bound of what rounds in it, by the size of every product.
+  // Bound on the rounding error of change(), from the size of every product.
   Vector change_size(double s) const;
 
   const ExponentialFlow* flow_;
@@ -61,7 +61,7 @@ class ExponentialSum {
 
  private:
   static constexpr std::size_t kMostDerivatives = 3 + 5;  // of a curve's derivative 3 or lower
-  // Of one derivative of an observable of z.
+  // One derivative of an observable of z.
   struct Derivative {
     Vector state;           // weight of z
     Vector size;            // of the products that it was summed from

@@ -7,8 +7,8 @@
 
 namespace graze {
 
-// Telling modes or invariant subspaces apart may cost 8 of 53 bits: by vectors that nearly depend
-// on each other, or by a response that cancels the motion.
+// Separating modes or invariant subspaces may cost 8 of 53 bits: by vectors that nearly depend on
+// each other, or by a response that cancels the motion.
 inline constexpr double kLargestLoss = 256.0;
 
 struct FirstOrderSystem {
@@ -18,7 +18,7 @@ struct FirstOrderSystem {
   bool loads_vary = false;  // each arc comes with a load of its own
 };
 
-// A s, extended by what makes the inputs states, (cos theta, sin theta, 1).
+// A s, extended by states that produce the inputs, (cos theta, sin theta, 1).
 Matrix extended_generator(const FirstOrderSystem& system, const Vector& load, double s);
 
 // e^{E} x - x for such an E and columns x; a short flight's keeps its relative accuracy.

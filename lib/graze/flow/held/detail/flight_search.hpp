@@ -1,9 +1,9 @@
 // The first contact of a free flight of many modes at many stops.
 //
-// Stops are followed side by side, so that none is searched beyond the first contact of another. A
-// speed at the stop is at most |b| sqrt(2 E), and what that speed cannot bridge is not looked at.
-// Near a stop the gap is a polynomial with a bound on what it leaves out (motion_series.hpp), over
-// a step of a few radians of the quickest mode; on the last stretch before a zero the search of
+// Stops are followed side by side, so that none is searched beyond the first contact of another.
+// The speed at a stop is at most |b| sqrt(2 E), and gaps that cannot be crossed at that speed are
+// skipped. Near a stop the gap is a polynomial with a bound on its remainder (motion_series.hpp),
+// over a step of a few radians of the fastest mode; on the last stretch before a zero the search of
 // first_zero.hpp decides, as everywhere.
 #pragma once
 
@@ -16,18 +16,18 @@
 
 namespace graze {
 
-// Of more modes than this a step of a series takes less time than as far a search of single gaps.
+// With more modes than this a step of a series is faster than searching single gaps as far.
 inline constexpr int kFewModes = 64;
 
-// The curve of the gap of a stop along the arc, its bounds holding up to the window (s), from its
-// first zero at the start on where it has one there (ExactPhase::gap).
+// The curve of the gap of a stop along the arc, its bounds valid up to the window (s); `from_zero`:
+// it starts at a zero (ExactPhase::gap).
 using GapCurves = std::function<const ArcCurve<double>&(int stop, double window, bool from_zero)>;
 
 class FlightSearch {
  public:
   FlightSearch(const System& system, const LinearSystem<double>& modes);
 
-  // Along the arc of a free flight, whose gaps are `curves`.
+  // The first event along the arc of a free flight with the gaps `curves`.
   Arrival<double> first_event(const GapCurves& curves, const Arc<double>& arc,
                               const MotionState<double>& now, const Flight<double>& flight);
 
@@ -38,7 +38,7 @@ class FlightSearch {
   };
 
   double reached(double from, double gap, double norm, double speed) const;
-  // Advances what is clear of one stop over the step.
+  // Advances `clear` of one stop over the step.
   void look(Watched& watched, double from, double step);
   double bridged(double from);
   void step(const GapCurves& curves, const Arc<double>& arc, double& from,

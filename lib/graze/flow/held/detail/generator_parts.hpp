@@ -1,7 +1,6 @@
-// The generator of a linear system x' = A x taken apart, once for all systems that have it: what is
-// costly to find of modes that do not decouple depends on A alone, not on loads, forcing or gaps.
-// The cells of a map and the systems of a continuation over those, and every motion that is begun
-// on one of them, share it.
+// The generator of a linear system x' = A x split into parts, once for all systems that share it:
+// the costly decomposition of coupled modes depends on A alone, not on loads, forcing or gaps. The
+// cells of a map, the systems of a continuation over those, and all their motions share it.
 #pragma once
 
 #include <memory>
@@ -22,11 +21,11 @@ struct GeneratorParts {
   std::vector<GeneratorPart> parts;
 };
 
-// Of a square matrix, found now.
+// The parts of a square matrix, computed anew.
 GeneratorParts take_apart(const Matrix& generator);
 
-// The same, bit for bit, found now or before, by whichever thread. Of matrices asked for last some
-// are remembered, as many as kMostGenerators and kMostGeneratorNumbers allow.
+// The same, bit for bit, from a cache that all threads share; it keeps the latest matrices, as many
+// as kMostGenerators and kMostGeneratorNumbers allow.
 std::shared_ptr<const GeneratorParts> generator_parts(const Matrix& generator);
 inline constexpr std::size_t kMostGenerators = 64;
 inline constexpr std::size_t kMostGeneratorNumbers = std::size_t{1} << 22;  // in all, 32 MB

@@ -1,9 +1,9 @@
 // The phase of a structure of many modes that closed stops hold, followed by power series
-// (motion_series.hpp): no set of closed stops costs anything before it is used, and a hold of a
-// fraction of the quickest period, as they are many, costs one or two steps of O(N m).
+// (motion_series.hpp): a set of closed stops needs no preparation, and a sticking phase of a
+// fraction of the shortest modal period, as many are, costs one or two steps of O(N m).
 //
 // Contact forces and gaps are polynomials over each step, with bounds, and their first zeros are
-// certified as those of closed forms are.
+// certified as in the phases with closed forms.
 #pragma once
 
 #include <memory>
@@ -16,11 +16,11 @@
 
 namespace graze {
 
-// Whether stops that hold the system are left to it: impulses along their rows, and more modes than
-// a decomposition of the structure that is held is quick for.
+// Whether to follow a structure held by these stops by series: impulses act along their rows, and
+// the modes are too many for a fast decomposition of the held structure.
 bool suits_series(const System& system, const std::vector<int>& closed);
 
-// What damping and forcing do over an arc of it, J.
+// Work of damping and forcing over an arc of it, J.
 struct SeriesWork {
   double dissipation = 0.0, forcing = 0.0;
 };
@@ -43,7 +43,7 @@ class SeriesPhase final : public ContactPhase<double> {
   bool sees_ahead() const override { return true; }
   CurvePoint<double> outlook(int stop, int order, const double& ahead) const override;
   bool stays_quiet(int stop, const double& duration) const override;
-  // The same motion in modes, for those who differentiate it; built when it is asked for.
+  // The same motion in modes, for derivatives; built on demand.
   const ExactPhase<double>* exact() const override;
   const SeriesPhase* series() const override { return this; }
   SeriesWork work(double s) const;
@@ -71,10 +71,10 @@ class SeriesPhase final : public ContactPhase<double> {
   // The series about the step's start, formed at most once in a row.
   const MotionSeries& about(const Step& step) const;
   const Step& step_at(double s) const;
-  // The first zero of what is watched within tau units of the step that the series is about.
+  // The first zero of the watched function within tau units of the step that the series is about.
   std::optional<Met> met_by(const Watched& watched, double tau, bool first) const;
   double gap_noise(int stop, int order) const;
-  // Over [0, window]; what is reached without meeting anything is in `reached`.
+  // The first zero over [0, window]; without one, `reached` is set to how far the search got.
   std::optional<Met> first_met(const std::vector<Watched>& list, double window,
                                const StopSignal& stop, std::vector<Step>& steps, double& reached,
                                long long& expansions) const;

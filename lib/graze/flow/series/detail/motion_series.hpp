@@ -5,13 +5,13 @@
 //
 // free (no B) or held by closed stops whose impulses act along their rows: their contact forces mu
 // keep B^T q = a, so that B^T c_{k+2} = 0 gives mu_k by a system of their number. A coefficient
-// costs O(N m), and no set of closed stops costs anything before it is used: where modes are many,
-// to find the modes of the structure that is held takes O(N^3), and it is often held for a fraction
-// of a period of its quickest mode.
+// costs O(N m), and a set of closed stops needs no preparation: with many modes, finding the modes
+// of the held structure takes O(N^3), and sticking phases often last a fraction of the shortest
+// modal period.
 //
-// What is left out is bounded without looking ahead. Derivative P of the motion moves by the same
-// equation, without load; stops that hold do no work on it, since B^T q^(P+1) = 0, and damping
-// takes energy: (|q^(P+1)|^2 + |w q^(P)|^2)/2 never grows but for the harmonic force,
+// The remainder is bounded without looking ahead. Derivative P of the motion satisfies the same
+// equation, without load; closed stops do no work on it, since B^T q^(P+1) = 0, and damping takes
+// energy: (|q^(P+1)|^2 + |w q^(P)|^2)/2 grows by the harmonic force only,
 //
 //   sqrt(|q^(P+1)|^2 + |w q^(P)|^2)(t) <= sqrt(..)(0) + |f| W^P t.
 #pragma once
@@ -24,8 +24,8 @@
 
 namespace graze {
 
-// A polynomial in t/u, known to noise + noise_rate t/u; what follows of it is bounded by remainder
-// (t/u)^(its number of coefficients).
+// A polynomial in t/u, known to noise + noise_rate t/u; its truncation error is at most remainder
+// (t/u)^(number of coefficients).
 struct BoundedSeries {
   std::span<const double> coefficients;
   double remainder = 0.0, noise = 0.0, noise_rate = 0.0;
@@ -37,46 +37,48 @@ class MotionSeries {
   // Coefficients up to `order` + 1 are formed.
   MotionSeries(const LinearSystem<double>& modes, Matrix rows, int order);
 
-  // About the state at forcing phase theta.
+  // Expands the motion about the state at forcing phase theta.
   void expand(double theta, const Vector& q, const Vector& qdot);
 
   int order() const { return order_; }               // P
   double unit() const { return unit_; }              // u, s
   const Matrix& coefficients() const { return c_; }  // c_k, N x (P + 2)
   const Matrix& forces() const { return mu_; }       // contact forces, N, m x P, in powers of t/u
-  // sqrt(|q^(k+1)|^2 + |w q^(k)|^2) u^k/k! at the start, k = 0..P: what derivative k moves with.
+  // sqrt(|q^(k+1)|^2 + |w q^(k)|^2) u^k/k! at the start, k = 0..P: the size of derivative k.
   double size(int k) const;
-  // The same of k = P, for all t <= kLongest u.
+  // A bound on size(P) for all t <= kLongest u.
   double last_size() const { return last_size_; }
   static constexpr double kLongest = 8.0;
 
   // The longest step, in u, over which the motion is known to `part` of its size.
   double step(double part) const;
-  // |b.q^(P+1)| leaves of a polynomial of degree P in t/u at most this times (t/u)^(P+1), |b| = 1.
+  // A polynomial of degree P in t/u for b.q, |b| = 1, has an error of at most this times
+  // (t/u)^(P+1).
   double remainder() const { return last_size_ * unit_ / (order_ + 1); }
-  // The same of contact force i and its polynomial of degree P - 1: times (t/u)^P.
+  // The same for contact force i and its polynomial of degree P - 1: times (t/u)^P.
   double force_remainder(int i) const;
   // sqrt(|2 delta s_i|^2 + |w s_i|^2), mu_i = s_i.(free acceleration).
   double force_weight(int i) const { return force_weight_[i]; }
   // |s_i.f|, N; 0 without forcing.
   double force_push(int i) const;
-  // |s_i| . |..|: what the terms of mu_i at the start add up to, for its rounding.
+  // s_i| . |..|: the sum of the sizes of the terms of mu_i at the start, for its rounding.
   double force_noise(int i) const;
 
   void state(double tau, Vector& q, Vector& qdot) const;
-  // Velocities at each of these, N x count.
+  // Velocities at each of these t/u, N x count.
   Matrix velocities(std::span<const double> taus) const;
 
-  // gap - row.q over `tau` units, kept in `storage`. From a zero of a multiplicity n > 0 on it is
-  // divided by (t/u)^n, and begins with what is known to leave it. `norm`: |row|.
+  // gap - row.q over `tau` units, kept in `storage`. Where it starts at a zero of multiplicity n >
+  // 0, it is divided by (t/u)^n and begins with the coefficient that is known to leave zero.
+  // `norm`: |row|.
   BoundedSeries gap(const Eigen::Ref<const Vector>& row, double norm, double gap, int multiplicity,
                     double tau, std::vector<double>& storage) const;
-  // Contact force i; a force is gone that is below zero for certain.
+  // Contact force i; its release is a value that is certainly below zero.
   BoundedSeries force(int i, std::vector<double>& storage) const;
 
   // Contact forces in a given state, m.
   Vector forces_at(double theta, const Vector& q, const Vector& qdot) const;
-  // Moves the state onto the stops that hold, by what rounding has moved it off.
+  // Projects the state onto the stops that hold, from which rounding has moved it.
   void settle(const Vector& gaps, Vector& q, Vector& qdot) const;
 
  private:
@@ -94,14 +96,14 @@ class MotionSeries {
   Matrix c_, mu_;
 };
 
-// Where it may have its first zero in (0, tau].
+// Result of the search for the first zero in (0, tau].
 struct SeriesZero {
   double clear = 0.0;    // it is positive by more than noise up to there
   bool crosses = false;  // and falls through zero at once behind, at `zero`
   double zero = 0.0;
 };
-// Starting positive, or at a zero of a multiplicity that was divided out. `resolved`: the part of
-// tau to which `clear` is brought near to a zero.
+// Requires a series that starts positive, or with its zero at the start divided out. `resolved`:
+// how near `clear` is brought to a zero, as a part of tau.
 SeriesZero first_zero(const BoundedSeries& series, double tau, double resolved);
 
 }  // namespace graze

@@ -1,7 +1,7 @@
 // The phase of a structure that compresses linear springs, with dashpots or without: while the same
-// of them act it is a linear structure with other modes, and all that holds while closed stops hold
-// it so that its modes do not decouple holds here. The ends of contacts are zeros of depths and
-// forces, found and certified like contacts.
+// springs act it is a linear structure with other modes, and it is treated like one whose modes are
+// coupled by closed stops. The ends of contacts are zeros of depths and forces, found and certified
+// like contacts.
 #pragma once
 
 #include <vector>
@@ -11,11 +11,11 @@
 
 namespace graze {
 
-// Modes that are decomposed together at most, which takes some (2 N)^3 times 1e-8 s; with more of
-// them contacts are integrated.
+// Largest number of modes that is decomposed, which takes some (2 N)^3 times 1e-8 s; with more,
+// contacts are integrated.
 inline constexpr int kMostModesOnLinearSprings = 128;
 
-// Whether all springs of the phase are linear, and the modes no more than that.
+// Whether all springs of the phase are linear and the modes not too many.
 bool suits_linear_springs(const System& system, const PhaseKey& key);
 
 class LinearSpringPhase final : public CoupledPhase {
@@ -27,7 +27,7 @@ class LinearSpringPhase final : public CoupledPhase {
   void start(const double& theta, const Vector& q, const Vector& qdot, const double& time) override;
   Arrival<double> first_event(const MotionState<double>& now,
                               const Flight<double>& flight) override;
-  // By the forces themselves: the rounding of the modes grows with each derivative.
+  // Computed from the forces: in the modal form rounding grows with each derivative.
   CurvePoint<double> gap_rate(int stop, int order) const override;
   const SpringArc* sprung() const override { return &spring_arc_; }
 

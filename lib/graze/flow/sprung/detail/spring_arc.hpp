@@ -1,4 +1,4 @@
-// What a phase on compressed springs tells of them, whether it is integrated or has a closed form.
+// The state of the compressed springs in a phase, whether it is integrated or has a closed form.
 #pragma once
 
 #include <limits>
@@ -23,7 +23,7 @@ struct SpringArc {
   const PhaseSprings& springs() const { return key.springs; }
 };
 
-// The coefficient of its dashpot, N s/m; 0 without one.
+// The coefficient of the spring's dashpot, N s/m; 0 without one.
 inline double dashpot_of(const ContactForce& law) {
   return law.damping == ContactDamping::kNone ? 0.0 : law.coefficient;
 }
@@ -31,32 +31,32 @@ inline double dashpot_of(const ContactForce& law) {
 // The force of a linear spring with or without a dashpot, N, from its depth.
 Observable<double> linear_force(const ContactForce& law, const Observable<double>& depth);
 
-// What a structure on compressed springs is made of.
+// The structure and the equations of a motion on compressed springs.
 struct SprungEquations {
   ConstrainedStructure<double> structure;
   SprungSystem system;
   std::string refusal{};
 };
 
-// Of a structure that does not turn.
+// For a structure without a rotating hub.
 SprungEquations sprung_equations(const System& system, const PhaseKey& key);
 
-// The springs of a phase for what it integrates.
+// Adds the springs of a phase to its equations.
 void add_springs(const System& system, const PhaseKey& key,
                  const ConstrainedStructure<double>& structure, SprungSystem& equations);
 
-// Of a sum of forces, each of its size.
+// Rounding of a sum of forces, relative to the size of each.
 inline constexpr double kForceRoundings = 16.0 * std::numeric_limits<double>::epsilon();
 
-// By loaded springs at these depths, m, on all coordinates, N; and its rate, N/s.
+// The forces of loaded springs at these depths, m, on all coordinates, N; and their rate, N/s.
 Vector spring_push(const SprungSystem& equations, const std::vector<double>& depths,
                    const Vector& qdot);
 Vector spring_push_rate(const SprungSystem& equations, const std::vector<double>& depths,
                         const Vector& qdot, const Vector& acceleration);
 
-// What acts on the structure at the start of an arc, on all coordinates: the forces but for those
-// of what holds, N, what these leave of them, and the rates of both; the sizes of the terms of
-// force and rate, for their rounding. What moves nothing is zero here without rounding.
+// Forces at the start of an arc, on all coordinates: `force` without the contact forces of closed
+// stops, N, the `acceleration` that these leave, and the rates of both; the sizes of the terms of
+// force and rate, for their rounding. A force that moves nothing is exactly zero here.
 struct ForcesAtStart {
   Vector force, acceleration, force_rate, jerk, size, rate_size;
   // A derivative of the gap with this row (ContactPhase::gap_rate).
@@ -66,13 +66,13 @@ ForcesAtStart forces_at_start(const ConstrainedStructure<double>& structure,
                               const SprungSystem& equations, const std::vector<double>& depths,
                               double theta, const Vector& q, const Vector& qdot);
 
-// How the depth of a spring leaves zero at the start of an arc, as a power of time: as it is known,
-// or 0; else at a speed, pushed, or by the rate of the push.
+// The power of time by which the depth of a spring leaves zero at the start of an arc: `known`
+// unless it is 0; else 1 with a speed, 2 under a force, 3 with a rate of the force.
 int depth_multiplicity(const ContactPhase<double>& phase, int stop, int known, const Vector& row,
                        const Vector& qdot);
 
-// Two springs at one place: what enters the one leaves the other at the same instant. Index of the
-// spring that is left at the start of an arc, -1: none. `rows`: of every spring.
+// For two springs at one place: the structure leaves one when it enters the other. Returns the
+// index of the spring that is left at the start of an arc, -1: none. `rows`: of every spring.
 int left_at_once(const std::vector<Vector>& rows, const std::vector<double>& depths,
                  const Vector& qdot);
 

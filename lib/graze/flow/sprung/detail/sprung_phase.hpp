@@ -1,5 +1,5 @@
 // The phase of a structure that compresses springs, followed step by step, by series or integrated;
-// between the ends of its steps it is looked for events too (step_walk.hpp).
+// events are searched for also between the ends of its steps (step_walk.hpp).
 #pragma once
 
 #include <limits>
@@ -10,16 +10,16 @@
 
 namespace graze {
 
-// Of a step where the motion has no closed form, against the speed of the contact
-// (sprung_rates.hpp), or of the structure that turns. By series a contact gives the speed away to
-// some roundings, by extrapolation, with some thousand evaluations, to 3e-13; over some ten
-// thousand steps the energy keeps ten digits.
+// Tolerance of a step where the motion has no closed form, against the speed of the contact
+// (sprung_rates.hpp), or of the rotating structure. By series a contact returns the speed to some
+// roundings, by extrapolation, with some thousand evaluations, to 3e-13; over some ten thousand
+// steps the energy keeps ten digits.
 inline constexpr double kStepTolerance = 1e-14;
 
 class SprungPhase : public IntegratedPhase {
  public:
   using ContactPhase<double>::start;
-  // `steps`: the method is the scene's, not the one that suits contacts.
+  // `steps`: uses the scene's method in place of the one that suits contacts.
   SprungPhase(const System& system, const PhaseKey& key, const std::optional<StepSetting>& steps);
 
   const ConstrainedStructure<double>& structure() const final { return structure_; }
@@ -33,14 +33,14 @@ class SprungPhase : public IntegratedPhase {
   const SpringArc* sprung() const final { return &spring_arc_; }
 
  protected:
-  // For integrate() to complete.
+  // For derived classes; integrate() completes the construction.
   SprungPhase(const System& system, const PhaseKey& key, SprungEquations equations);
-  // Last of all: what integrates keeps copies.
+  // To be called last: the integrator keeps copies.
   void integrate(const std::optional<StepSetting>& steps);
   SprungSystem& equations() { return equations_; }
 
   virtual ForcesAtStart at_start() const;
-  // By loaded springs, on all coordinates, N.
+  // The forces of loaded springs, on all coordinates, N.
   Vector spring_push(const Vector& q, const Vector& qdot) const;
   const std::vector<double>& depths() const { return depths_; }
   const Vector& start_q() const { return q_; }

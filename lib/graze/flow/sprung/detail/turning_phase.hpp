@@ -1,4 +1,4 @@
-// The phase of a structure that turns on a hub, with springs or without.
+// The phase of a structure on a rotating hub, with springs or without.
 #pragma once
 
 #include "graze/flow/sprung/detail/sprung_phase.hpp"
@@ -8,8 +8,8 @@ namespace graze {
 class TurningPhase final : public SprungPhase {
  public:
   using ContactPhase<double>::start;
-  // `angle`: where the joint is held, rad. It is closed like a stop then, but holds either way; its
-  // torque is the force_at() a stop whose index is the number of them.
+  // `angle`: where the joint is held, rad. It is then closed like a stop, but holds either way; its
+  // torque is force_at() of the stop index system.stops.size().
   TurningPhase(const System& system, const PhaseKey& key, const std::optional<StepSetting>& steps,
                double angle);
 
@@ -18,7 +18,7 @@ class TurningPhase final : public SprungPhase {
   double force_rate(int stop) const override;
 
  private:
-  // `holding`: the system with its joint as a stop where that is held.
+  // `holding`: the system, with a held joint added as a stop.
   TurningPhase(const System& holding, const PhaseKey& key, const std::optional<StepSetting>& steps);
   static SprungEquations equations_of(const System& holding, const PhaseKey& key);
   double longest_flight() const override { return turning().structure.smooth_for(); }
@@ -26,8 +26,8 @@ class TurningPhase final : public SprungPhase {
   void watch_joint(const MotionState<double>& now, std::vector<Watched>& list) override;
   const Turning& turning() const { return *SprungPhase::equations().turning; }
 
-  // Its rate in the direction in which it turns, until it stands still; of a joint that is held:
-  // what is left of the friction against being turned forward and back.
+  // For a sliding joint: its rate in the direction of rotation, up to where it stops. For a held
+  // joint: the margin of the friction against being turned forward and back.
   std::vector<Watch> joint_watches_;
 };
 

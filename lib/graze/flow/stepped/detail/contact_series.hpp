@@ -27,27 +27,28 @@ class ContactSeries {
   static constexpr int kMostPower = 6;
 
   // Whether the equations are such polynomials: one spring is loaded, with a whole 2n of at most
-  // kMostPower and no damping that sets in; nothing turns, nor is held by an oblique law.
+  // kMostPower and no exponential damping; there is no rotating hub and no stop with an oblique
+  // law.
   static bool suits(const SprungSystem& system);
 
-  // Requires a system that suits. `tolerance`: what a step may err by, per unit of z.
+  // Requires suits(system). `tolerance`: error that a step may have, per unit of z.
   ContactSeries(const SprungSystem& system, double tolerance);
 
   // The loaded spring.
   std::size_t spring() const { return spring_; }
-  // r at a depth, m, of the piece that `rates` has begun.
+  // Takes the units from the piece that `rates` has begun.
   void set_units(const Sprung& rates);
   double root_at(double depth) const { return std::sqrt(depth / depth_); }
   // Expands the motion about the state z, s seconds after the start of the piece, with r there.
   // False where the series has no length: numbers that are not finite.
   bool expand(const Sprung& rates, const State& z, double s, double r);
-  // Up to which t the series keeps the tolerance.
+  // The t up to which the series keeps the tolerance.
   double length() const { return length_; }
   // r and its rate, and the seconds since the start of the series, at t.
   double root(double t) const { return value(root_, t); }
   double root_rate(double t) const;
   double time(double t) const;
-  // The first t up to the length where r falls through zero; 0: it does not.
+  // The first t up to the length where r falls through zero; 0 when it does not.
   double surface() const;
   // The t up to `end` at which so many seconds have passed.
   double instant(double seconds, double end) const;
@@ -58,9 +59,9 @@ class ContactSeries {
   static constexpr int kGroup = 8;  // rows are multiplied in groups of so many
   using Group = Eigen::Array<double, kGroup, 1>;
   using Series = std::array<double, kOrder + 1>;
-  // What follows the displacements and velocities: the works that there are, time, and the forcing.
+  // Rows after the displacements and velocities: the works, time, and the forcing.
   enum Row { kForcing, kDissipation, kLost, kTime, kCosine, kSine, kRows };
-  // Coefficients of some quantities, those of one power of t beside each other.
+  // Coefficients of some quantities; those of one power of t are adjacent.
   struct Table {
     explicit Table(Eigen::Index given)
         : rows((given + kGroup - 1) / kGroup * kGroup), numbers(Matrix::Zero(rows, kOrder + 1)) {}
@@ -76,8 +77,8 @@ class ContactSeries {
     }
   };
 
-  // The products of series: the powers of r from the third on, then the damping's force, the
-  // powers, and those of what resists each coordinate.
+  // The products of series: the powers of r from the third on, then the force of the damping, the
+  // powers, and the resistance of each coordinate.
   enum Factor { kResistance, kDrag, kHarmonic, kResisted };
 
   static double value(const Series& series, double t);

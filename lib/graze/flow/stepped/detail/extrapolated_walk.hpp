@@ -1,6 +1,5 @@
-// Steps through a contact by extrapolation (Bulirsch and Stoer), with Boost.Odeint: they hold
-// whatever the law of the contact is. Included by the translation units whose walks take such
-// steps.
+// Steps through a contact by extrapolation (Bulirsch and Stoer), with Boost.Odeint, for any law of
+// the contact. Included by the translation units whose walks take such steps.
 #pragma once
 
 #include <algorithm>
@@ -18,9 +17,9 @@ namespace graze::step_walk {
 
 namespace odeint = boost::numeric::odeint;
 
-// Steps and orders that their error decides; what lies within a step is reached from its start, or
-// from what was asked before it last: a search that closes in on an instant takes ever shorter
-// ways.
+// Steps and orders are chosen by their error. A state within a step is computed from its start, or
+// from one of the last two states that were asked for: a search for an instant then takes ever
+// shorter steps.
 class ExtrapolatedWalk {
  public:
   using RatesOf = Sprung;
@@ -77,7 +76,8 @@ class ExtrapolatedWalk {
   Sprung rates;
 
  protected:
-  // Goes on from a state that was reached otherwise, s seconds after the start, by a step to try.
+  // Goes on from a state that was reached otherwise, s seconds after the start; `step` is tried
+  // first.
   void go_on(double s, const State& x, double step) {
     to_ = s;
     at_end_ = x;
@@ -99,7 +99,7 @@ class ExtrapolatedWalk {
   void forget_within() {
     for (Known& known : known_) known.at = std::numeric_limits<double>::infinity();
   }
-  // In place of one that lies after it, else of the earlier one: what is asked next is between.
+  // Replaces a known state after s, else the earlier one: the search goes on between.
   void keep_within(double s, const State& x) {
     const bool first_is_later = known_[0].at > known_[1].at;
     const bool later_is_after = std::max(known_[0].at, known_[1].at) > s;
@@ -112,7 +112,7 @@ class ExtrapolatedWalk {
   double from_ = 0.0, to_ = 0.0, next_ = 0.0;
   State at_start_{}, at_end_{}, within_{};
   std::array<Known, 2> known_;
-  // It learns from its steps; what is asked within them is not to change them.
+  // The method adapts to its steps; steps within a step must not influence it.
   Extrapolation method_, method_within_;
 };
 

@@ -12,9 +12,9 @@ using Extrapolation = boost::numeric::odeint::bulirsch_stoer<std::vector<double>
 // A step that fails its error more often than this in a row will not succeed.
 inline constexpr int kMostFailures = 500;
 
-// Odeint begins a step with a look at the size of the last one, which before the first step has no
-// value. It gets one here, NaN, which no step has. That size is private: an explicit instantiation
-// may name it, and has a friend that sets it.
+// Odeint begins a step by reading the size of the last one, which is uninitialised before the first
+// step. It gets a value here, NaN, which no step has. That member is private: an explicit
+// instantiation may name it, and has a friend that sets it.
 void begin_steps(Extrapolation& method);
 template <double Extrapolation::*kLastStep>
 struct LastStep {
@@ -24,7 +24,7 @@ struct LastStep {
 };
 template struct LastStep<&Extrapolation::m_dt_last>;
 
-// `absolute`, `relative`: what a step may err by; `longest`: of a step, 0: as long as it likes.
+// `absolute`, `relative`: allowed errors of a step; `longest`: longest step, 0: no limit.
 inline Extrapolation extrapolation(double absolute, double relative, double longest = 0.0) {
   Extrapolation method(absolute, relative, 1.0, 0.0, longest);
   begin_steps(method);

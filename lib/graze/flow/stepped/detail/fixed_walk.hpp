@@ -1,5 +1,4 @@
-// Walks of steps of one length, and the choice between these and those that decide theirs
-// (step_walk.hpp).
+// Walks of steps of one length, and the choice between these and adaptive ones (step_walk.hpp).
 #pragma once
 
 #include <functional>
@@ -10,8 +9,8 @@
 
 namespace graze::step_walk {
 
-// A method that keeps the slope at the end of a step for the next one, with the slope told to it:
-// steps within a step start from elsewhere.
+// For a method that keeps the slope at the end of a step for the next one: passes it the slope,
+// since steps within a step start elsewhere.
 template <class Stepper>
 class Unprepared {
  public:
@@ -47,7 +46,7 @@ class FixedWalk {
   double from() const { return taken_ > 0 ? static_cast<double>(taken_ - 1) * step_ : 0.0; }
   double to() const { return static_cast<double>(taken_) * step_; }
   const State& state_at_end() const { return at_end_; }
-  // Seldom called, and kept out of the loop over the steps, which is the quicker for it.
+  // Rarely called, and kept out of the loop over the steps, which is faster without it.
   [[gnu::noinline]] void between(double s, State& x) {
     x = at_start_;
     if (s > from()) stepper_.do_step(std::ref(rates), at_start_, from(), x, s - from());
@@ -62,7 +61,7 @@ class FixedWalk {
   Stepper stepper_;
 };
 
-// Steps of one length by Stepper where the setting has one; else those that Adaptive decides.
+// Steps of one length by Stepper where the setting has one; else adaptive steps.
 template <class Stepper, class Adaptive, class Rates>
 std::unique_ptr<StepFlow> fixed_or_adaptive(const Rates& rates, const StepSetting& setting) {
   using Fixed = FixedWalk<Rates, Stepper>;
@@ -70,8 +69,8 @@ std::unique_ptr<StepFlow> fixed_or_adaptive(const Rates& rates, const StepSettin
   return std::make_unique<WalkingFlow<Adaptive>>(Adaptive(rates, setting));
 }
 
-// Calls make(rates) with the right-hand side of the modes there are; a few numbers of modes have
-// states of fixed size.
+// Calls make(rates) with the right-hand side of these modes; states have a fixed size for a few
+// numbers of modes.
 template <class Make>
 std::unique_ptr<StepFlow> with_rates(const ModalRates& rates, const Make& make) {
   switch (rates.scale.size()) {

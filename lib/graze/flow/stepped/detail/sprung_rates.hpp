@@ -3,12 +3,12 @@
 //   z = (w (y - y_0)/u, y'/u),   w_j = max(omega_j, w_c),
 //
 // with w_c the frequency and u the speed of the contact that begins: its depths are small against
-// the displacements, and errors are told against them. Displacements are counted from the start of
-// the piece, so that a depth does not lose what the displacement has before it. The works follow z,
-// those of the springs per u^2, the others per the square of the largest velocity.
+// the displacements, and errors are measured against them. Displacements are counted from the start
+// of the piece, so that a depth does not lose the digits of the displacement before it. The works
+// follow z, those of the springs per u^2, the others per the square of the largest velocity.
 //
-// A structure that turns (SprungSystem::turning) is integrated here with springs and without; then
-// u is the size of its own motion.
+// A structure on a rotating hub (SprungSystem::turning) is integrated here with springs and
+// without; u is then the size of its own motion.
 #pragma once
 
 #include <limits>
@@ -18,17 +18,16 @@
 
 namespace graze::step_walk {
 
-// Roundings, of each coordinate's part, in a grip as the state tells it.
+// Roundings, of each coordinate's part, in a grip that is computed from the state.
 inline constexpr double kGripRoundings = 8.0;
 
-// Errors of a step in what a sum of exponentials may round by: of 128 modes, each to some
-// roundings.
+// Rounding of a sum of exponentials, in errors of a step: for 128 modes, each with some roundings.
 inline constexpr double kModalErrors = 1024.0;
 
 class Sprung {
  public:
   using State = std::vector<double>;
-  // What moves along beside the contact is known to some roundings of its own size, no better.
+  // Coordinates that do not take part in the contact are known to some roundings of their size.
   static double relative(double /*tolerance*/) {
     return 4.0 * std::numeric_limits<double>::epsilon();
   }
@@ -41,7 +40,7 @@ class Sprung {
         grips_(system.springs.size()),
         grip_roundings_(system.springs.size()) {}
 
-  // Before begin(): the time, s, where a torque goes by it.
+  // To be called before begin(): the time, s, on which a torque depends.
   void set_time(double time) {
     if (system_.turning) system_.turning->structure.begin(time);
   }
@@ -53,7 +52,7 @@ class Sprung {
   void whole(const State& z, Vector& x) const;
   SprungWorks works(const State& z) const;
   double frequency() const { return system_.frequency; }
-  // The units: of the velocities, and w.
+  // Units u of the velocities, and w.
   double unit() const { return unit_; }
   const Vector& scale() const { return scale_; }
   struct Compression {
@@ -65,17 +64,17 @@ class Sprung {
     Vector depth, rate;
   };
   Compression compression(std::size_t spring, const State& z) const;
-  // Of a spring at whose surface the structure rests, after so many steps: its depth, m, and what
-  // of it may be an error: each step errs by its tolerance and rounding in each entry of z, and
-  // sums of modes that go on from there by kModalErrors as much. Nothing depends on how late it is
-  // told: until then the spring presses as it does behind.
+  // Depth of a spring whose surface the structure touches at rest, m, and its error bound after so
+  // many steps: each step errs by its tolerance and rounding in each entry of z, and sums of modes
+  // that go on from there by kModalErrors as much. A late decision changes nothing: until then the
+  // spring acts as it does beyond its surface.
   struct Left {
     double value = 0.0, error = 0.0;
     bool is_certain() const { return std::abs(value) > error; }
   };
   Left left(std::size_t spring, const State& z, long long steps) const;
-  // The same of the gap or the contact force of a rigid stop, s seconds after the start, where it
-  // was zero.
+  // The same for the gap or the contact force of a rigid stop that was zero at the start, s seconds
+  // later.
   Left changed(const Watch& watch, double s, const State& z, long long steps) const;
   // Force of a spring, N, and its rate, N/s; 0 where it is not loaded.
   std::size_t springs() const { return contacts_.size(); }
@@ -84,26 +83,26 @@ class Sprung {
     return system_.springs[spring].law.damping != ContactDamping::kNone;
   }
   double force_rate(std::size_t spring, double s, const State& z);
-  // The longest step, s, that shows what the force of a parted spring does: one whose damping sets
-  // in within a depth h takes hold there within h/(2 Q v). And of a structure that turns, a quarter
-  // of its quickest oscillation: between its ends a gap has hardly more than one minimum, which is
-  // looked for.
+  // The longest step, s, that resolves the force of a parted spring: one whose damping sets in
+  // within a depth h takes hold there within h/(2 Q v). For a structure on a rotating hub it is a
+  // quarter of its fastest oscillation: between its ends a gap has hardly more than one minimum,
+  // which is searched for.
   double longest_step() const { return longest_step_; }
-  // A step to begin with, s: a part of the contact that its error can be told on; of what moves
-  // beside springs whose depths are held, where there is none.
+  // The first step, s: a part of the contact that is long enough to estimate the error. Where the
+  // depths of all springs are held, the fastest oscillation replaces the contact.
   double first_step(double longest) const {
     const double pace = contact_frequency_ > 0.0 ? contact_frequency_ : quickest();
     return pace > 0.0 ? std::fmin(longest, 0.1 / pace) : longest;
   }
 
-  // The quickest oscillation of the structure, the contact or the force, rad/s; 0 where the steps
-  // are short against it.
+  // The highest frequency of the structure, the contact and the force, rad/s; 0 on a rotating hub,
+  // where steps are short against it.
   double quickest() const {
     return system_.turning ? 0.0 : std::fmax(largest_of(scale_), system_.frequency);
   }
 
-  // What the right-hand side is made of, for those who expand it. Of a structure that turns these
-  // are not all.
+  // The terms of the right-hand side, for series expansions. On a rotating hub there are others,
+  // too.
   const SprungSystem& system() const { return system_; }
   const Contact& contact(std::size_t spring) const { return contacts_[spring]; }
   Eigen::Index modes() const { return system_.load.size(); }
@@ -113,14 +112,15 @@ class Sprung {
   const Vector& push() const { return push_; }            // constant forces over u
   const Vector& harmonic() const { return force_; }       // amplitudes of the harmonic force over u
   const Matrix& stiffness() const { return stiffness_; }  // K/w
-  // Where the works are in z: of the forcing, by damping, of what holds, and lost in the springs.
+  // Places of the works in z: of forcing, weight, damping and closed stops, and lost in the
+  // springs.
   enum Place { kForcing, kWeight, kDissipation, kConstraint, kSprings };
   std::size_t place(std::size_t work) const { return 2 * static_cast<std::size_t>(modes()) + work; }
 
   long long evaluations = 0;
 
  private:
-  // Of a structure that is held in all its coordinates there are none.
+  // 0 for an empty vector: the structure may be held in all its coordinates.
   static double largest_of(const Vector& v) { return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0; }
   Vector times(const Matrix& matrix, const Vector& y) const {
     return matrix.cols() == 1 ? Vector(matrix.col(0).cwiseProduct(y)) : Vector(matrix * y);
@@ -128,8 +128,8 @@ class Sprung {
   Compression compression_rate(std::size_t spring, const State& slope) const;
   void set_units(double theta, const Vector& velocity, std::span<const double> depths);
   void add_powers(const State& z, const Vector& resistance, double cosine, double s, State& slope);
-  // Of a structure that turns: its motion in all coordinates, what acts on it beside springs and
-  // stiffness, the inertia that its shape adds, and a force that holds it.
+  // For a rotating hub: the motion in all coordinates, forces other than springs and stiffness, the
+  // inertia that the shape adds, and a force that holds the structure.
   void spread(const State& z);
   void turn(double s, Eigen::Ref<Vector> acceleration, State& slope);
   void add_inertia(Eigen::Ref<Vector> acceleration) const;
@@ -137,7 +137,7 @@ class Sprung {
   double hold_force(int hold, double s, const State& z);
   double hold_rate(int hold, double s, const State& z);
   double gained(const Watch& watch, const State& z) const;
-  // Of each entry of a part of z, after so many steps.
+  // Error bounds of the entries of a part of z after so many steps.
   Vector errors(const Eigen::Ref<const Vector>& part, long long steps) const;
   Vector spring_push(const State& z) const;
 
@@ -151,7 +151,8 @@ class Sprung {
   double work_unit_ = 1.0;
   double longest_step_ = 0.0;
   double contact_frequency_ = 0.0;
-  Vector push_, force_;  // per u: what of the forces does not move with z, and the harmonic part
+  Vector push_, force_;  // per u: the part of the forces that does not depend on z, and the
+                         // harmonic part
   Matrix stiffness_;     // K/w
   std::vector<Contact> contacts_;
   std::vector<double> grips_, grip_roundings_;  // at the start
@@ -191,7 +192,7 @@ inline Sprung::Compression Sprung::compression_rate(std::size_t spring, const St
 }
 
 // A body of inverse mass 1/m = row.acting that meets the spring at speed v, or rests on it under a
-// push a, or is at a depth: the largest of these depths and the stiffness there tell the contact.
+// push a, or is at a depth: the largest of these depths and the stiffness there set the units.
 inline void Sprung::set_units(double theta, const Vector& velocity,
                               std::span<const double> depths) {
   const Vector acceleration = system_.load + system_.force * std::cos(theta) -
@@ -235,7 +236,7 @@ inline void Sprung::begin(double theta, const Vector& x, std::span<const double>
   const Vector own = system_.stiffness.cols() == 1 ? Vector(system_.stiffness.col(0))
                                                    : Vector(system_.stiffness.diagonal());
   scale_ = own.cwiseMax(0.0).cwiseSqrt().cwiseMax(contact_frequency_);
-  // What nothing pulls back moves as long as the slowest of the others.
+  // A coordinate without restoring force gets the unit of the slowest of the others.
   for (double& w : scale_)
     if (!(w > 0.0)) w = system_.turning ? system_.turning->structure.lowest_frequency() : 1.0;
   push_ = (system_.load - times(system_.stiffness, from_)) / unit_;
@@ -325,7 +326,7 @@ inline double Sprung::observed(const Watch& watch, double s, const State& z) {
     if (watch.of_spring == SpringWatch::kDepth) return at.depth;
     const double grip = system_.springs[i].law.grip(at.depth, at.rate);
     const double sign = watch.of_spring == SpringWatch::kGrip ? 1.0 : -1.0;
-    // From its zero on, changes within its rounding are none.
+    // From a zero at the start on, changes within the rounding count as none.
     if (watch.multiplicity > 0) return sign * (grip - grips_[i]) + grip_roundings_[i];
     return sign * grip;
   }
@@ -348,8 +349,8 @@ inline double Sprung::observed(const Watch& watch, double s, const State& z) {
   return sum;
 }
 
-// Since the start, where the watch is zero: told by what moved, without what the displacements were
-// before, whose rounding is large against a gap that has just been left.
+// Change since the start, where the watch is zero: computed from the motion since then, without the
+// displacements before it, whose rounding is large against a gap that has just been left.
 inline double Sprung::gained(const Watch& watch, const State& z) const {
   const Eigen::Index n = modes();
   const Eigen::Map<const Vector> moved(z.data(), n), velocity(z.data() + n, n);

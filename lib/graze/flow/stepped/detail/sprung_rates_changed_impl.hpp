@@ -16,7 +16,7 @@ inline Sprung::Left Sprung::changed(const Watch& watch, double s, const State& z
   const Vector error_moved = errors(moved, steps), error_velocity = errors(velocity, steps);
   Left sum{by_moved.dot(moved) + by_velocity.dot(velocity - start_velocity_),
            by_moved.cwiseAbs().dot(error_moved) + by_velocity.cwiseAbs().dot(error_velocity)};
-  // What cancels at the start is rounded: it is zero there.
+  // The terms that cancel at the start are rounded: the sum is zero there.
   double size = std::abs(watch.constant) + watch.weights.head(n).cwiseAbs().dot(from_.cwiseAbs());
   const double theta = theta_ + system_.frequency * s;
   sum.value += watch.harmonic_re * (std::cos(theta) - std::cos(theta_)) -

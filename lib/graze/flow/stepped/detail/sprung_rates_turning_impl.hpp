@@ -1,11 +1,11 @@
-// Definitions of sprung_rates.hpp: what a structure that turns adds.
+// Definitions of sprung_rates.hpp for a structure on a rotating hub.
 #pragma once
 
 #include "graze/flow/stepped/detail/sprung_rates_powers_impl.hpp"
 
 namespace graze::step_walk {
 
-// The size of what moves, or of what the forces at the start make of it within the quickest
+// The speed of the motion, or the speed that the forces at the start give within the fastest
 // oscillation; in the units of the springs where any is compressed.
 inline void Sprung::set_turning_units(const Vector& velocity) {
   const TurningStructure& structure = system_.turning->structure;
@@ -19,7 +19,7 @@ inline void Sprung::set_turning_units(const Vector& velocity) {
   const Vector push = structure.turning_force(at, 0.0).cwiseAbs() / quickest +
                       structure.force_rate(at, none).cwiseAbs() / (quickest * quickest);
   const Vector force = system_.turning->gathered(push).cwiseAbs();
-  // Of what is pulled back, if any of it moves: the whole may turn much more quickly.
+  // The speed of coordinates with stiffness, if any moves: the rigid rotation may be much faster.
   double whole = 0.0;
   for (Eigen::Index j = 0; j < modes(); ++j) {
     const double stiffness = system_.stiffness(j, 0);
@@ -56,7 +56,7 @@ inline void Sprung::add_inertia(Eigen::Ref<Vector> acceleration) const {
     acceleration -= (m * angle_.dot(acceleration) / (1.0 + m * angle_.squaredNorm())) * angle_;
 }
 
-// On all coordinates, N.
+// The forces of the springs on all coordinates, N.
 inline Vector Sprung::spring_push(const State& z) const {
   Vector push = Vector::Zero(y_.size());
   for (std::size_t i = 0; i < contacts_.size(); ++i)

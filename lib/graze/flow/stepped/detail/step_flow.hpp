@@ -1,8 +1,8 @@
 // The motion of a linear system of first order between events, integrated step by step by a method
-// of Boost.Odeint, and the first fall of an observable through zero by what such integrators can
-// see: its sign at the ends of the steps. Where it changes, the zero is refined within the step; a
-// fall and a rise within one step are missed (but of a structure on springs looked for). That is
-// what the exact flow is compared with.
+// of Boost.Odeint. The first fall of an observable through zero is found as such integrators find
+// it: by its sign at the ends of the steps. Where it changes, the zero is refined within the step;
+// a fall and a rise within one step are missed (on springs they are searched for). The exact flow
+// is compared with this.
 //
 //   x_j' = w_j x_{n+j},   x_{n+j}' = load_j + force_j cos(theta) - 2 delta_j x_{n+j} - k_j x_j
 //
@@ -24,7 +24,7 @@
 
 namespace graze {
 
-// Modes side by side, n of each.
+// n modes, a number of each.
 struct ModalRates {
   Vector scale;      // w, rad/s
   Vector stiffness;  // k, rad/s
@@ -33,40 +33,41 @@ struct ModalRates {
   double frequency = 0.0;  // of the force, rad/s
 };
 
-// What is watched beside sums of the state.
+// Watched quantities that are no linear function of the state.
 enum class SpringWatch {
   kNone,
   kDepth,  // of a spring
   kGrip,   // of a spring (ContactForce::grip)
   kSlack,  // minus that
-  kRest,  // of a spring that rests: how far its depth is from zero, less what of it may be an error
+  kRest,  // distance of the depth of a spring at rest from zero, less its error bound
   kHold   // constant + weights.x + the force of a hold of a turning structure
 };
 
-// Of a watch that starts at zero: whether it is known how it leaves that. What nobody knows is
-// looked at when it differs from zero by more than its error.
+// For a watch that starts at zero: whether it is known how it leaves zero. If not, it is reported
+// when it differs from zero by more than its error.
 enum class Leaving {
   kKnown,
   kAsked,   // its sign then ends the flight
   kAwaited  // it is positive, and falls only after that
 };
 
-// An observable to be watched: constant + weights.x + harmonic cos(theta + its phase), and of
-// compressed springs force_weights.F; or a spring's own.
+// A watched observable: constant + weights.x + harmonic cos(theta + its phase), for compressed
+// springs also force_weights.F; or a quantity of one spring.
 struct Watch {
   Vector weights;  // 2n
   double constant = 0.0;
   double harmonic_re = 0.0, harmonic_im = 0.0;  // Re(h e^{i theta})
   // It starts at a known zero of this multiplicity, which it leaves as `departure` s^multiplicity.
-  // A grip has no departure: it has left its zero where it differs by more than its rounding.
+  // A grip has no departure: it has left its zero when it differs from it by more than its
+  // rounding.
   int multiplicity = 0;
   double departure = 0.0;
   Vector force_weights{};  // per spring; empty: none
   SpringWatch of_spring = SpringWatch::kNone;
   int spring = -1;      // index into SprungSystem::springs, or of a hold
   double factor = 1.0;  // of the force of a hold
-  bool is_told = true;  // its least value is (StepDescent::lowest)
-  double sure = 0.0;    // s, up to then it is known to be positive
+  bool is_told = true;  // its least value counts in StepDescent::lowest
+  double sure = 0.0;    // s, up to when it is known to be positive
   Leaving leaving = Leaving::kKnown;
   double mobility = 0.0;  // of the force of a stop: the acceleration by 1 N, m/s^2
 };
@@ -75,7 +76,7 @@ struct Watch {
 //
 //   y'' = load + force cos(theta) - D y' - K y - sum_i acting_i F_i(x_i, x_i'),   x_i' = row_i.y'
 //
-// with x_i the depth of the contact at spring i. Those that are not loaded do not act, but their
+// with x_i the depth of the contact at spring i. Springs that are not loaded do not act, but their
 // depth is known.
 struct SprungSystem {
   struct Spring {
@@ -83,10 +84,10 @@ struct SprungSystem {
     Vector row, acting;  // n
     bool loaded = true;
     Vector whole_row{};    // on all coordinates of a structure that turns
-    bool resting = false;  // its surface is touched: it is loaded where that is passed
+    bool resting = false;  // its surface is touched: it acts once that is passed
   };
-  // What holds the structure by a force that is not along what it forbids: the force, and with
-  // which row it takes power, -against.y' times the force.
+  // A constraint force that is not along the row it holds, as of an oblique law: the force, and the
+  // vector with which it takes power, -against.y' times the force.
   struct Holding {
     Watch force;
     Vector against;
@@ -103,31 +104,31 @@ struct SprungSystem {
   double frequency = 0.0;     // of the force, rad/s
   std::vector<Spring> springs;
   std::optional<Powers> powers{};
-  // Then K alone stands above, and everything else but the springs comes from here.
+  // On a rotating hub: only K above is used then, all else but the springs comes from here.
   std::optional<Turning> turning{};
 };
 
-// What a spring took from the structure since the start of a piece, J.
+// Energy that a spring took from the structure since the start of a piece, J.
 struct SpringWork {
   double lost = 0.0;    // to its damping, >= 0
   double stored = 0.0;  // kept, or given back where it is negative
 };
 
-// Since the start of a piece on springs.
+// Works since the start of a piece on springs.
 struct SprungWorks {
   Vector moved;              // y - y_0
   double forcing = 0.0;      // J; of the torque on a hub
-  double weight = 0.0;       // of a structure that turns, J; others count it by what they moved
+  double weight = 0.0;       // on a rotating hub, J; elsewhere it follows from `moved`
   double dissipation = 0.0;  // by damping, J
   double constraint = 0.0;   // of what holds the structure, J
   std::vector<SpringWork> springs;
 };
 
 struct StepDescent {
-  int watch = -1;       // which fell through zero first; -1: none did
-  double s = 0.0;       // where; else the end of the window, or the last place that is known
+  int watch = -1;       // the first to fall through zero; -1: none did
+  double s = 0.0;       // of that fall; else the end of the window, or of what is known
   bool finite = true;   // the state stayed in range
-  bool beyond = false;  // of a watch that was asked for its sign: it became positive
+  bool beyond = false;  // for a watch whose sign was asked for: it became positive
   std::vector<double> errors{};  // then, of every watch that was
   bool stopped = false;          // the stop signal ended it
   double lowest = 0.0;           // least value of any watch at the ends of the steps
@@ -138,30 +139,29 @@ class StepFlow {
  public:
   static constexpr double kNoDepth = std::numeric_limits<double>::infinity();
   virtual ~StepFlow() = default;
-  // A smooth piece begins: the state at forcing phase theta; s counts from here.
-  // `depths`: of the springs, m. `time`: of a structure that turns, s.
+  // Starts a smooth piece at the state and forcing phase theta; s counts from here. `depths`: of
+  // the springs, m. `time`: used on a rotating hub, s.
   virtual void start(double theta, const Vector& x, std::span<const double> depths = {},
                      double time = 0.0) = 0;
-  // The first watch to fall through zero within the window, s. Nobody asks beyond `until`, s: up to
-  // there the least value is told, and a step that gets beyond it is the last. `stop` is asked now
-  // and then: a window may have any number of steps. Of springs the depths beyond `told_depth`, m,
-  // are located (deepest).
+  // The first watch to fall through zero within the window, s. No later instant than `until`, s,
+  // will be asked for: the least value counts up to there, and a step that passes it is the last.
+  // `stop` is polled: a window may have any number of steps. The largest depths of springs beyond
+  // `told_depth`, m, are located (deepest).
   virtual StepDescent first_descent(std::span<const Watch* const> watches, double window,
                                     double until, const StopSignal& stop,
                                     double told_depth = kNoDepth) = 0;
-  // The state s seconds after the start. Dear where s lies before the step taken last.
+  // The state s seconds after the start. Expensive where s lies before the last step.
   virtual void state(double s, Vector& x) = 0;
-  // Goes through the steps once more, from the start up to `until`, s: each, or each part of a long
-  // one, from where to where.
-  // The states within a step are at hand while it is visited.
+  // Goes through the steps once more, from the start up to `until`, s, and visits the beginning and
+  // end of each, or of each part of a long one. The states within it are available meanwhile.
   virtual void each_step(double until, const std::function<void(double, double)>& visit) = 0;
-  // Of a spring since the start: its largest force, N, and how deep it was compressed, m, where
-  // that is beyond the depth to be told; 0 where there is none.
+  // Largest force of a spring since the start, N, and its largest depth, m, if beyond `told_depth`;
+  // 0 where there is none.
   virtual double peak_force(std::size_t /*spring*/) const { return 0.0; }
   virtual double deepest(std::size_t /*spring*/) const { return 0.0; }
-  // Since the start, s seconds after it; nothing but for a structure on springs.
+  // Works from the start up to s; zero unless the structure is on springs.
   virtual SprungWorks works(double /*s*/) { return {}; }
-  // Of the right-hand side, so far.
+  // Number of evaluations of the right-hand side so far.
   virtual long long evaluations() const = 0;
 };
 

@@ -12,7 +12,7 @@ std::unique_ptr<StepFlow> step_flow(const ModalRates& rates, const StepSetting& 
 std::unique_ptr<StepFlow> step_flow(const FirstOrderSystem& system, const StepSetting& setting);
 std::unique_ptr<StepFlow> step_flow(const SprungSystem& system, const StepSetting& setting);
 
-// By one of them, whatever the setting's method.
+// These use the named method, whatever the setting's.
 std::unique_ptr<StepFlow> rk4_flow(const ModalRates& rates, const StepSetting& setting);
 std::unique_ptr<StepFlow> rk4_flow(const FirstOrderSystem& system, const StepSetting& setting);
 std::unique_ptr<StepFlow> rk4_flow(const SprungSystem& system, const StepSetting& setting);
@@ -25,8 +25,7 @@ std::unique_ptr<StepFlow> fehlberg78_flow(const FirstOrderSystem& system,
 std::unique_ptr<StepFlow> fehlberg78_flow(const SprungSystem& system, const StepSetting& setting);
 std::unique_ptr<StepFlow> bulirsch_stoer_flow(const SprungSystem& system,
                                               const StepSetting& setting);
-// By power series where the law of the contact has such (contact_series.hpp), else by
-// extrapolation.
+// Uses power series where the law of the contact has them (contact_series.hpp), else extrapolation.
 std::unique_ptr<StepFlow> contact_flow(const SprungSystem& system, const StepSetting& setting);
 
 }  // namespace graze

@@ -1,5 +1,4 @@
-// Right-hand sides for the methods of Boost.Odeint (step_flow.hpp): what a step sees of the motion.
-// Each has
+// Right-hand sides for the methods of Boost.Odeint (step_flow.hpp). Each has
 //   State                       of the method
 //   begin(theta, x, depths, z)  a piece begins at x; z: the method's state there
 //   operator()(z, slope, s)
@@ -26,7 +25,7 @@ void assign(State& to, const Vector& from) {
   std::copy(from.begin(), from.end(), to.begin());
 }
 
-// Where the method's state is x itself.
+// For methods whose state is x itself.
 class OfTheState {
  public:
   static double relative(double tolerance) { return tolerance; }
@@ -86,7 +85,7 @@ class SideBySide : public OfTheState {
     assign(load_, rates.load);
     assign(force_, rates.force);
   }
-  // The two never overlap; a compiler that is told takes several modes at once.
+  // The two never overlap; with __restrict a compiler takes several modes at once.
   void operator()(const State& __restrict x, State& __restrict slope, double s) {
     ++evaluations;
     const std::size_t n = N == 0 ? scale_.size() : N;

@@ -58,7 +58,7 @@ class WalkingFlow final : public StepFlow {
       live_.push_back(watch->leaving == Leaving::kKnown ? watch->sure : found.lowest);
     if constexpr (kSprung) {
       slopes_.clear();
-      // What leaves a known zero rises; the sign of its rate may be rounding.
+      // A watch that leaves a known zero rises; the sign of its rate may be rounding.
       for (std::size_t i = 0; i < watches.size(); ++i)
         slopes_.push_back(watches[i]->multiplicity > 0 || live_[i] > 0.0
                               ? 0.0
@@ -107,12 +107,12 @@ class WalkingFlow final : public StepFlow {
       walk_.step();
       const double to = std::min(walk_.to(), until);
       if (!(to > from)) return;
-      // Nothing lies between neighbouring numbers.
+      // There is nothing between neighbouring numbers.
       if (to - from <= kNothing * to) {
         from = to;
         continue;
       }
-      // Steps that are long for what is done with their parts say where these end.
+      // Walks with long steps divide them into parts.
       if constexpr (requires { walk_.parts(to); })
         for (int i = 1, parts = walk_.parts(to); i < parts; ++i) {
           const double end = walk_.part_end(i, to);
@@ -149,8 +149,8 @@ class WalkingFlow final : public StepFlow {
     rates.springs();
   };
 
-  // Of a step, for the search: in half a turn of its quickest oscillation a watch falls and rises
-  // hardly more than once.
+  // Number of parts in which a step is searched: in half a period of the fastest oscillation a
+  // watch hardly falls and rises more than once.
   int parts_of(double step) const {
     if constexpr (kSprung) {
       const double turned = walk_.rates.quickest() * step;
@@ -160,8 +160,8 @@ class WalkingFlow final : public StepFlow {
     return 1;
   }
 
-  // The first watch to fall through zero within (from, end] of the step taken last; false where one
-  // is not finite.
+  // Finds the first watch to fall through zero within (from, end] of the last step; returns false
+  // where one is not finite.
   bool look(std::span<const Watch* const> watches, double from, double end, double until,
             StepDescent& found) {
     if (end < walk_.to()) walk_.between(end, last_);
@@ -186,7 +186,7 @@ class WalkingFlow final : public StepFlow {
     double at = 0.0, depth_rate = 0.0;     // m, m/s: there, likewise
   };
 
-  // The state at s, in within_.
+  // Puts the state at s into within_.
   void reach(double s) {
     if (s < walk_.from()) walk_.begin(start_);
     while (walk_.to() < s && !StopScope::is_over()) {
@@ -197,7 +197,7 @@ class WalkingFlow final : public StepFlow {
     within(s);
   }
 
-  // The state at s within the last step, in within_.
+  // Puts the state at s, within the last step, into within_.
   const State& within(double s) {
     if (s == walk_.to())
       within_ = walk_.state_at_end();
@@ -206,8 +206,8 @@ class WalkingFlow final : public StepFlow {
     return within_;
   }
 
-  // The largest forces of springs within (from, end], and depths beyond the one to be told: of a
-  // spring that nothing damps they are at the same instant.
+  // The largest forces of springs within (from, end], and their largest depths beyond `told_depth`;
+  // for an undamped spring both are at the same instant.
   void pass_peaks(double from, double end, double told_depth) {
     at_end_ = within(end);
     for (std::size_t i = 0; i < peaks_.size(); ++i) {
@@ -223,7 +223,7 @@ class WalkingFlow final : public StepFlow {
       look(at_end_);
       const auto [depth, rate] = walk_.rates.compression(i, at_end_);
       const bool damped = walk_.rates.is_damped(i);
-      // A depth that turns back lies below its tangents at both ends.
+      // A depth that reverses lies below its tangents at both ends.
       const double tangents = peak.at + peak.depth_rate * (depth - peak.at - rate * (end - from)) /
                                             (peak.depth_rate - rate);
       if (!damped || tangents > told_depth)
@@ -259,7 +259,7 @@ class WalkingFlow final : public StepFlow {
     return locate(watch, from, least, value, found.values);
   }
 
-  // Where a watch falls through zero in (from, end], that is `there` at the end.
+  // Where a watch falls through zero in (from, end]; its value at the end is `there`.
   std::optional<double> fall(std::span<const Watch* const> watches, std::size_t i, double from,
                              double end, double there, double until, StepDescent& found) {
     const Watch& watch = *watches[i];
@@ -275,8 +275,8 @@ class WalkingFlow final : public StepFlow {
     return locate(watch, begin, end, there, found.values);
   }
 
-  // Whether a watch that is asked for its sign, and started at zero, differs from it for certain;
-  // else what it does makes no difference yet. A contact force that may still have to be none is
+  // Whether a watch that started at zero in an unknown way now certainly differs from zero; until
+  // then its motion makes no difference. A contact force that may still turn out to be zero is
   // counted among the errors of depths.
   bool tells(std::span<const Watch* const> watches, const State& x, double end, long long steps,
              StepDescent& found) {
@@ -321,8 +321,8 @@ class WalkingFlow final : public StepFlow {
     return true;
   }
 
-  // From there on the spring is followed as long as it gets away and nothing else happens, for
-  // those who look for its surface behind: their steps are short near a zero.
+  // From there on the spring is followed while it moves away and no other event occurs: the later
+  // search for its surface takes short steps near a zero.
   StepDescent well_left(std::span<const Watch* const> watches, double end, long long steps,
                         double window, StepDescent found) {
     const auto spring =
@@ -344,7 +344,7 @@ class WalkingFlow final : public StepFlow {
     }
   }
 
-  // The last place that is known.
+  // The result at the last instant with a finite state.
   static StepDescent not_finite(StepDescent found, double from) {
     found.finite = false;
     found.s = from;
@@ -352,7 +352,8 @@ class WalkingFlow final : public StepFlow {
   }
 
   // The zero of a watch that is not positive at the end of (from, end]. One that starts at a zero
-  // is divided by that: what is left starts at its departure. Kept out of the loop over the steps.
+  // is divided by that power, so that it starts at its departure. Kept out of the loop over the
+  // steps.
   [[gnu::noinline]] double locate(const Watch& watch, double from, double end, double at_end,
                                   long long& values) {
     if (!(end > from)) return from;
@@ -372,26 +373,26 @@ class WalkingFlow final : public StepFlow {
     return bracketed_zero(at, {from, first}, {end, last}).second;
   }
 
-  // It leaves its zero by more than its rounding (Sprung::observed).
+  // A grip has left its zero once it differs by more than its rounding (Sprung::observed).
   static bool is_grip(const Watch& watch) {
     return watch.of_spring == SpringWatch::kGrip || watch.of_spring == SpringWatch::kSlack;
   }
 
   static constexpr long long kStepsPerPoll = 4096;
-  // rad of the quickest oscillation that are looked at part by part within one step, which bounds
-  // what a step costs. Over more the parts are longer than half a turn, and a fall and rise of that
-  // oscillation within one of them may be passed over.
+  // Radians of the fastest oscillation that are searched part by part within one step, which bounds
+  // the cost of a step. Over more, the parts are longer than half a period, and a fall and rise of
+  // that oscillation within one of them may be missed.
   static constexpr double kMostTurned = 64.0;
-  // In errors of a depth: so far from its zero a search makes long steps.
+  // So many errors of a depth away from its zero, a search makes long steps.
   static constexpr double kWellLeft = 1e6;
-  // Of the time so far: a step so short has no room for nodes of a rule.
+  // Relative to the time so far: a step so short has no room for the nodes of a quadrature rule.
   static constexpr double kNothing = 1024.0 * std::numeric_limits<double>::epsilon();
   Walk walk_;
   long long polls_ = 0;
   State start_, within_, last_, at_end_;
   std::vector<Peak> peaks_;
   std::vector<double> slopes_;  // of the watches, at the end of the step before
-  std::vector<double> live_;    // s, from when on falls of the watches are falls
+  std::vector<double> live_;    // s, from when on a fall of each watch counts
 };
 
 }  // namespace step_walk

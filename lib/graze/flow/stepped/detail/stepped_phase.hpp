@@ -10,8 +10,8 @@
 
 namespace graze {
 
-// What they have in common: the state on the coordinates that are left free, x = (scale y, y'), and
-// what is watched at the stops.
+// Common base: the state on the coordinates that are left free, x = (scale y, y'), and the watches
+// at the stops.
 class IntegratedPhase : public ContactPhase<double> {
  public:
   using ContactPhase<double>::start;
@@ -35,7 +35,8 @@ class IntegratedPhase : public ContactPhase<double> {
   };
 
   using ContactPhase<double>::ContactPhase;
-  // Both before the first start; of every stop, the gap or, where it is closed, the contact force.
+  // Both are called before the first start; for every stop, the gap or, if closed, its contact
+  // force.
   void watch(const std::vector<Observable<double>>& observables, Vector scale);
   void step_by(std::unique_ptr<StepFlow> steps) { steps_ = std::move(steps); }
   std::vector<Watch>& watches() { return watches_; }
@@ -43,7 +44,7 @@ class IntegratedPhase : public ContactPhase<double> {
                    std::span<const double> depths = {}, double time = 0.0);
 
  private:
-  // What is watched beside the stops: before them, and after them.
+  // Adds further watches, before those of the stops, and after them.
   virtual void watch_springs(const MotionState<double>& /*now*/, const Flight<double>& /*flight*/,
                              std::vector<Watched>& /*list*/) {}
   virtual void watch_joint(const MotionState<double>& /*now*/, std::vector<Watched>& /*list*/) {}
@@ -60,7 +61,7 @@ class IntegratedPhase : public ContactPhase<double> {
   std::unique_ptr<StepFlow> steps_;
 };
 
-// In place of the exact flow, whose closed form at the start still tells how a stop is left.
+// Replaces the exact flow, whose closed form at the start still decides how a stop is left.
 class SteppedPhase final : public IntegratedPhase {
  public:
   SteppedPhase(std::unique_ptr<ExactPhase<double>> exact, const StepSetting& setting);

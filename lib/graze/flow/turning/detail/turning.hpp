@@ -1,7 +1,7 @@
-// A structure that turns and what holds it: stops that it is closed on, a joint that does not slip.
+// A structure on a rotating hub and its constraints: closed stops, and a joint that does not slip.
 //
-// Held displacements are y_c + U x with orthonormal columns U across the rows B of what holds; the
-// forces f that hold it act along B:
+// Held displacements are y_c + U x with orthonormal columns U across the rows B of the constraints;
+// the constraint forces f act along B:
 //
 //   U^T M U x'' = U^T h,   M y'' = h - B f   =>   f = (B^T B)^-1 B^T (h - M y'')
 //
@@ -22,7 +22,7 @@ struct Turning {
   Vector gathered(const Vector& whole) const {
     return basis.size() > 0 ? Vector(basis.transpose() * whole) : whole;
   }
-  // y'' under the forces h at y, and how it changes at the rate of h along the motion.
+  // y'' under the forces h at y, and its rate where h has the rate force_rate along the motion.
   Vector acceleration(const Vector& force, const Vector& y) const;
   Vector jerk(const TurningMotion& at, const Vector& acceleration, const Vector& force_rate) const;
   // f, N, in the order of the rows; and f'.

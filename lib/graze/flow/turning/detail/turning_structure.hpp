@@ -1,8 +1,8 @@
-// The forces and the inertia of a structure on a hub that turns (system/rotation.hpp), at a state.
+// The forces and the inertia of a structure on a rotating hub (system/rotation.hpp), at a state.
 //
-// Beside what is linear the mass matrix is the identity and one dyad, so that its inverse is known:
-// (I + m e e^T)^-1 h = h - e m (e.h)/(1 + m e.e), here on all coordinates or on those that are
-// not held (turning.hpp). Rates are along the motion: no differences.
+// The mass matrix is the identity and one dyad, so that its inverse is known: (I + m e e^T)^-1 h =
+// h - e m (e.h)/(1 + m e.e), here on all coordinates or on those that are not held (turning.hpp).
+// Rates are analytic, along the motion.
 #pragma once
 
 #include "graze/flow/exact/motion_state.hpp"
@@ -21,7 +21,7 @@ class TurningStructure {
   // Requires system.rotation(). Keeps copies.
   explicit TurningStructure(const System& system);
 
-  // Time counts from `time`, s, on; the torque is that of the piece which begins there.
+  // Sets the origin of s to `time`, s; the torque is that of the piece which begins there.
   void begin(double time);
   // How long the torque stays on that piece, s; infinite after the last.
   double smooth_for() const;
@@ -29,12 +29,12 @@ class TurningStructure {
 
   const Rotation& rotation() const { return rotation_; }
   const Vector& angle_row() const { return rotation_.angle; }
-  // Sum of all forces but W^2 y and D y', and of all of them, s seconds on.
+  // Sum of all forces except -W^2 y and -D y', s seconds after begin(); and the sum of all forces.
   Vector turning_force(const TurningMotion& at, double s) const;
   Vector force(const TurningMotion& at, double s) const;
-  // The rate of the latter, where the structure accelerates by `acceleration`.
+  // The rate of force(), where y'' = `acceleration`.
   Vector force_rate(const TurningMotion& at, const Vector& acceleration) const;
-  // Size of the terms that force() sums, for its rounding.
+  // Sum of the sizes of the terms of force(), for its rounding.
   Vector force_size(const TurningMotion& at, double s) const;
 
   // y.A y, kg m^2 in units of the row, and its rate; 0 in the printed equations.
@@ -45,9 +45,9 @@ class TurningStructure {
 
   // Rate of the hub, rad/s.
   double rate(const Vector& velocity) const { return rotation_.angle.dot(velocity); }
-  // No rate but the rounding of what it is made of.
+  // Whether the rate of the hub is within its rounding of zero.
   bool stands_still(const Vector& velocity) const;
-  // Powers, W: of the torque, of the weight, and what damping and friction take.
+  // Powers, W: of the torque, of the weight, and the loss by damping and friction.
   double torque_power(const TurningMotion& at, double s) const;
   double weight_power(const TurningMotion& at) const;
   double dissipation(const TurningMotion& at) const;

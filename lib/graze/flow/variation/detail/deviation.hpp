@@ -1,14 +1,14 @@
 // How small deviations of a motion grow along an arc, free or held, and pass its events.
 //
 // A deviation is carried as that of the state at its own instant: (dq, dq') is the difference of
-// the states, dt the delay of the instants at which they are compared. On an event dt is such that
-// the deviated motion is at that event too: at a contact on stop i, b_i.dq = 0 and
+// the states, dt the delay between the instants at which they are compared. At an event dt is such
+// that the deviated motion is at that event too: at a contact on stop i, b_i.dq = 0 and
 //
 //   dt' = dt - (b_i.dq)/v,   (dq, dq') + f (dt' - dt),       f = (q', q'') before the impact,
 //
-// and the impact itself is nothing but the derivative of its jump at fixed position. No difference
-// of nearby numbers is divided by a small speed, however short the flights of a chatter become.
-// Putting dt = 0 before and after gives the saltation matrix S = J + (f+ - J f-) c^T/(c^T f-).
+// and the impact itself is just the derivative of its jump at fixed position. No difference of
+// nearby numbers is divided by a small speed, however short the flights of a chatter become. With
+// dt = 0 before and after this is the saltation matrix S = J + (f+ - J f-) c^T/(c^T f-).
 #pragma once
 
 #include <vector>
@@ -25,26 +25,27 @@ struct Deviations {
   Eigen::Index count() const { return q.cols(); }
 };
 
-// What is added to the deviations `start` of the arc that `phase` was started on, in s seconds and
-// at unchanged delay: (Phi - 1) x + (d end/d start instant) dt. Accurate relative to itself,
-// however short the flight. Deviations of a held phase have to fit its closed stops (see `hold`).
+// Growth of the deviations `start` over s seconds of the arc that `phase` was started on, at
+// unchanged delay: (Phi - 1) x + (d end/d start instant) dt. Accurate relative to itself, however
+// short the flight. Deviations of a held phase have to satisfy the constraints of its closed stops
+// (see `hold`).
 Deviations growth(const ExactPhase<double>& phase, double s, const Deviations& start);
 
 // Deviations after the instant is moved by `shift` (s, one per column) along the motion, whose rate
 // is (q', q'').
 void move_instant(Deviations& deviations, const State& rate, const Eigen::RowVectorXd& shift);
 
-// (q', q'') at forcing phase theta while the stops `closed` (with independent rows) hold.
-// `push`: an acceleration besides, as by springs; empty where there is none.
+// (q', q'') at forcing phase theta while the stops `closed` (with independent rows) hold. `push`: a
+// further acceleration, as by springs; empty where there is none.
 State held_rate(const System& system, const std::vector<int>& closed, const State& state,
                 double theta, const Vector& push = {});
 
-// What closed stops leave of an acceleration: P a = a - D (B^T D)^-1 B^T a.
+// The part of an acceleration that closed stops allow: P a = a - D (B^T D)^-1 B^T a.
 Vector held(const System& system, const std::vector<int>& closed, const Vector& acceleration);
 
-// Takes out what closed stops do not allow: displacements along the rows, velocities along the
-// directions of the contact forces. A displacement that is still there is rounding; velocities lose
-// what the contact takes up when it closes.
+// Removes the parts of deviations that closed stops do not allow: displacements along the rows,
+// which are rounding, and velocities along the directions of the contact forces, which the contact
+// absorbs when it closes.
 void hold(const System& system, const std::vector<int>& closed, Deviations& deviations);
 
 }  // namespace graze

@@ -1,5 +1,5 @@
-// How the deviation to the motion of a system that is a little different grows along an arc, free
-// or held: per unit of a parameter that moves the system along its tangent.
+// The derivative of a motion by a parameter as a deviation that grows along an arc, free or held;
+// the parameter moves the system along its tangent.
 //
 // It is carried like the deviations of deviation.hpp, with the forcing phase as the clock: the two
 // motions are compared at phases that differ by frequency times the delay, so that a parameter that
@@ -17,9 +17,9 @@ struct ParameterGrowth {
   Vector moved;       // q at the end less q at the start, kg^1/2 m; accurate relative to itself
 };
 
-// What is added in s seconds to the deviation `column` (one column, unchanged delay) along the arc
-// on which `phase` was started from `start` at forcing phase theta. Requires forcing. The deviation
-// of a held phase has to fit its closed stops (see `hold`).
+// Growth of the deviation `column` (one column, unchanged delay) over s seconds of the arc on which
+// `phase` was started from `start` at forcing phase theta. Requires forcing. The deviation of a
+// held phase has to satisfy the constraints of its closed stops (see `hold`).
 ParameterGrowth parameter_growth(const System& system, const System& tangent,
                                  const ExactPhase<double>& phase, const State& start, double theta,
                                  double s, const Deviations& column);

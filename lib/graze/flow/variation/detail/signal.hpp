@@ -1,5 +1,4 @@
-// Integrals over a flight of what is a sum of exponentials along it, of products of such, and of
-// what has no such form.
+// Integrals over a flight: of sums of exponentials, of products of these, and of any function.
 #pragma once
 
 #include <functional>
@@ -24,16 +23,16 @@ double product_integral(const Signal& a, const Signal& b, double s);
 // integral of a^2 over [0, s].
 double square_integral(const Signal& a, double s);
 
-// Visits the nodes of Gauss' rule with their weights, s, over [0, s] in panels over which nothing
-// turns or decays by more than one radian, `quickest` in rad/s: there 15 nodes integrate to
-// rounding (the error is of order (1/2)^30/30!).
+// Visits the nodes of Gauss' rule with their weights, s, over [0, s] in panels of at most one
+// radian of `quickest`, rad/s, the largest rate of oscillation or decay: there 15 nodes integrate
+// to rounding (the error is of order (1/2)^30/30!).
 void visit_nodes(double s, double quickest, const std::function<void(double, double)>& visit);
-// integral of f over [0, s] by these.
+// The integral of f over [0, s] by these panels.
 double panel_integral(const std::function<double(double)>& f, double s, double quickest);
 
 // The states of a coupled motion and its inputs, z = (x, u cos theta, u sin theta, u) with z' = E z
-// and u as large as x, that inputs cost no digits. Everything linear in the motion is a form in z,
-// so that the moments of a flight give all integrals at once.
+// and u as large as x, so that inputs cost no digits. Everything linear in the motion is a form in
+// z, so that the moments of a flight give all integrals at once.
 struct Moments {
   Matrix integral;    // of z z^T over the flight
   double unit = 1.0;  // u

@@ -1,4 +1,4 @@
-// Derivatives of the exact flow: where an arc ends, and how its end moves with its start, its start
+// Derivatives of the exact flow: the end of an arc, and its derivatives by its start, its start
 // phase and the coefficients of the system. Analytic throughout.
 #pragma once
 
@@ -32,19 +32,19 @@ struct ModeTransition {
   FreeBasis<double> basis{};                         // of the free response over the arc
 };
 
-// The transitions over s seconds from forcing phase theta, mode by mode and without allocating: for
-// loops that keep none of them. Refers to the system and to its flow. s may be negative.
+// The transitions over s seconds from forcing phase theta, mode by mode and without allocating, for
+// loops that do not store them. Refers to the system and to its flow. s may be negative.
 class ModalTransitions {
  public:
   ModalTransitions(const System& system, const ExactFlow<double>& flow, double theta, double s);
 
   // Mode j from (q, qdot).
   ModeTransition from(Eigen::Index j, double q, double qdot) const;
-  // Derivative (of q, of qdot) of its end, see end_tangent(); `of` is that transition.
+  // Derivative (of q, of qdot) of the end of transition `of`, see end_tangent().
   Eigen::Vector2d tangent(Eigen::Index j, double q, double qdot, const ModeTransition& of,
                           const System& tangent) const;
-  // Of its flow matrix [qq qv; vq vv], likewise with both phases kept: how the free motion from any
-  // start moves.
+  // Derivative of the flow matrix [qq qv; vq vv] of `of`, likewise with both phases kept: that of
+  // the free motion from any start.
   Eigen::Matrix2d flow_tangent(Eigen::Index j, const ModeTransition& of,
                                const System& tangent) const;
 
@@ -52,11 +52,11 @@ class ModalTransitions {
   const System& system_;
   const ExactFlow<double>& flow_;
   double theta_, s_;
-  // Of the forcing phase at both ends; zero without forcing.
+  // Cosine and sine of the forcing phase at both ends; zero without forcing.
   double start_cosine_ = 0.0, start_sine_ = 0.0, end_cosine_ = 0.0, end_sine_ = 0.0;
 };
 
-// Its flow matrix alone.
+// The flow matrix alone.
 FlowMatrix flow_matrix(const System& system, const ExactFlow<double>& flow, double s);
 
 // (q', q'') of the system at forcing phase theta.

@@ -1,5 +1,5 @@
-// What happens at the ends of the flights of a vector of lanes: the state there, the impact, and
-// how the next flight begins. To be included after <hwy/foreach_target.h>.
+// The ends of the flights of a vector of lanes: the state there, the impact, and the start of the
+// next flight. To be included after <hwy/foreach_target.h>.
 #include <hwy/highway.h>
 
 #include "graze/motion/lanes/detail/lane_search-inl.hpp"
@@ -17,8 +17,8 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// What is this many times above its rounding is decided here; anything nearer by those who look
-// closely.
+// Quantities this many times above their rounding are decided here; for others the lane is left to
+// the motion that looks closely.
 inline constexpr double kClearlyAbove = 64.0;
 
 HWY_INLINE Chosen is_stop(Numbers hit, std::size_t i) {
@@ -39,7 +39,7 @@ HWY_INLINE Numbers of_hit(const LaneVector& lanes, LaneStopRow what, Numbers hit
   return found;
 }
 
-// Displacements and velocities at `at`; returns which are numbers.
+// Displacements and velocities at `at`; returns the lanes where they are finite.
 HWY_INLINE Chosen end_flight(const LaneVector& lanes, Chosen arrived) {
   const LaneColumns& c = *lanes.columns;
   const Numbers c0 = lanes.get(LaneRow::kCosine), n0 = lanes.get(LaneRow::kSine);
@@ -125,7 +125,7 @@ HWY_INLINE LaneSizes sizes_at(const LaneVector& lanes, std::size_t i) {
   return sizes;
 }
 
-// Whether stop i has no part in the contact, unless it is the one that is hit, nor a chatter
+// Whether stop i has no part in the contact (unless it is the one that is hit), nor in a chatter
 // between several stops.
 HWY_INLINE Chosen is_apart(const LaneVector& lanes, std::size_t i, const LaneSizes& sizes,
                            Numbers hit, Numbers speed, Numbers time) {
@@ -160,7 +160,7 @@ HWY_INLINE Chosen hit_stops(const LaneVector& lanes, Chosen contact) {
   }
   const Numbers target = hn::Neg(hn::Mul(of_hit(lanes, LaneStopRow::kRestitution, hit), speed));
   const Numbers norm = of_hit(lanes, LaneStopRow::kNorm, hit);
-  // Twice, as in Motion::impact_alone.
+  // Two passes, as in Motion::impact_alone.
   for (int pass = 0; pass < 2; ++pass) {
     Numbers impulse = hn::Neg(target);
     for (std::size_t j = 0; j < c.modes(); ++j)

@@ -8,12 +8,12 @@
 
 namespace graze {
 
-// Several vectors of the longest kind, so that the processor has something to do while one waits.
+// Several vectors of the longest kind, so that the processor is busy while one waits.
 inline constexpr std::size_t kLanes = 16;
 
-// What a lane is at, as a number.
+// The stage of a lane, as a number.
 enum class LaneStage {
-  kIdle,     // no motion, or one that waits for whoever looks after it
+  kIdle,     // no motion, or one that is followed elsewhere
   kBegin,    // at the start of a forcing period, in the state kEnd, kAfterRate
   kSearch,   // for a first contact, from `at` on
   kFinish,   // by Halley's method, inside the ball in which it is certain to converge
@@ -21,18 +21,18 @@ enum class LaneStage {
   kEnd       // of the forcing period, at `at`
 };
 
-// Rows, of a lane as a whole. Times in s, angles in rad; phases and frequencies halved.
+// Rows of a lane as a whole. Times in s, angles in rad; phases and frequencies halved.
 enum class LaneRow {
   kStage,
   kAt,             // s, since the flight began
   kWindow,         // until the period ends
-  kLocal,          // when the flight began, since the period did
+  kLocal,          // start of the flight, since the start of the period
   kPeriod,         // s
   kHalfFrequency,  // of the forcing
   kHalfPhase,      // of the forcing at the period's start
   kCosine,         // of the forcing's phase when the flight began
   kSine,
-  kSlowest,     // impact that is not followed by a look at what is left of a chatter, m/s
+  kSlowest,     // m/s, slowest impact after which the rest of a chatter is not considered
   kFrom,        // stop that the flight leaves; -1: none
   kHit,         // stop that is approached
   kCorrection,  // last step of Halley's method; infinite before it
@@ -44,7 +44,7 @@ enum class LaneRow {
   kCount
 };
 
-// Of a mode.
+// Rows of a mode.
 enum class LaneModeRow {
   kDecay,          // delta, 1/s
   kHalfFrequency,  // of the damped oscillation
@@ -70,7 +70,7 @@ enum class LaneModeRow {
   kCount
 };
 
-// Of a stop.
+// Rows of a stop.
 enum class LaneStopRow {
   kGap,
   kRestitution,
@@ -83,7 +83,7 @@ enum class LaneStopRow {
   kStartValue,  // of the gap; 0 where the flight leaves the stop
   kStartNoise,
   kClearUntil,  // s, it is open for certain
-  kBall,        // in which it is met, s; infinite where nothing is known
+  kBall,        // within which it is certainly met, s; infinite: not known
   kValue,       // of the gap at `at`, and its derivatives
   kSlope,
   kCurvature,
@@ -97,12 +97,12 @@ enum class LaneStopRow {
   kCount
 };
 
-// Of a stop and a mode.
+// Rows of a stop and a mode.
 enum class LanePairRow {
   kRow,         // b
-  kDirection,   // d; b where it is b/|b|^2, so that rounding errs to no side
+  kDirection,   // d; b where it is b/|b|^2, so that rounding has no bias
   kFormedFrom,  // see ArcCurve
-  kFall,        // from here to the lowest that it can get
+  kFall,        // largest possible fall from here on
   kSlowSlope,   // sums over the forcing and the modes up to this one
   kSlowCurvature,
   kSlowThird,

@@ -9,18 +9,18 @@
 
 namespace graze {
 
-// Lanes by their numbers, one bit each.
+// Lanes by their numbers, one bit for each.
 using LaneSet = std::uint32_t;
 
-// What the lanes have come to.
+// The lanes that have arrived at an event.
 struct LaneArrivals {
-  LaneSet contacts = 0;  // an impact was applied; the flight that it ended was told of in kEnd ..
+  LaneSet contacts = 0;  // an impact was applied; the end of its flight is in kEnd ..
   LaneSet ends = 0;      // of a forcing period
-  LaneSet left = 0;      // at something rare, to be looked after from where the flight began
+  LaneSet left = 0;      // at a rare event, to be followed elsewhere from the start of the flight
 };
 
-// Flies all lanes that are not idle until some of them arrive. Those that arrive at contacts and
-// ends have set out again; those that left are idle.
+// Flies all lanes that are not idle until some of them arrive. Those that arrived at contacts and
+// ends have started their next flight; those that left are idle.
 LaneArrivals fly_lanes(LaneColumns& columns);
 
 }  // namespace graze

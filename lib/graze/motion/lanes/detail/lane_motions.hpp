@@ -1,7 +1,7 @@
 // Motions of systems of the same shape, flown side by side: free flights in closed form, first
-// contacts certified as by first_zero.hpp, impacts on one stop at a time. What is rarer (a stop
-// within its rounding, two at once, the end of a chatter, rest on a stop) a lane leaves to
-// whoever looks after it; it takes the motion up again at the start of a forcing period.
+// contacts certified as by first_zero.hpp, impacts on one stop at a time. Rarer events (a stop
+// within its rounding, two at once, the end of a chatter, rest on a stop) are left to the caller;
+// the lane takes the motion up again at the start of a forcing period.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,24 +24,25 @@ class LaneMotions {
     return columns_.modes() == static_cast<std::size_t>(system.modes()) &&
            columns_.stops() == system.stops.size();
   }
-  // Takes a system up that has_lane; impacts slower than `closure_speed`, m/s, are left to others.
+  // Requires has_lane of the system; impacts slower than `closure_speed`, m/s, are left to the
+  // caller.
   void adopt(std::size_t lane, const System& system, const ExactFlow<double>& flow,
              double closure_speed);
-  // Its motion is in this state at the start of a forcing period, clear of every stop.
+  // Starts a motion from this state at the start of a forcing period, clear of every stop.
   void begin(std::size_t lane, const Vector& q, const Vector& qdot);
   void drop(std::size_t lane);
 
   bool is_idle() const { return busy_ == 0; }
-  // Flies until some lanes have arrived. Requires that they are not all idle.
+  // Flies until some lanes have arrived. Requires that not all are idle.
   LaneArrivals fly();
 
-  // After an arrival: when it was, s since the start of the forcing period (0 at its end), in which
-  // state, and with which approach speed (m/s) at which stop.
+  // After an arrival: its time, s since the start of the forcing period (0 at its end), the state,
+  // and the approach speed (m/s) and the stop.
   double local(std::size_t lane) const { return columns_.row(LaneRow::kLocal)[lane]; }
   void end_state(std::size_t lane, Vector& q, Vector& qdot) const;
   double speed(std::size_t lane) const { return columns_.row(LaneRow::kSpeed)[lane]; }
   int stop(std::size_t lane) const { return static_cast<int>(columns_.row(LaneRow::kHit)[lane]); }
-  // Where the last flight of a lane that left began, in `period`.
+  // The start of the last flight of a lane that left, in `period`.
   MotionState<double> departure(std::size_t lane, long long period) const;
 
  private:

@@ -24,9 +24,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Chosen = hn::Mask<Lanes>;
 
 inline constexpr double kEps = std::numeric_limits<double>::epsilon();
-// A flight that takes more looks is near a grazing; whoever looks after the lane goes on with it.
+// A flight that takes more looks is near a grazing; the lane is then left to the caller.
 inline constexpr double kMostLooks = 512.0;
-// Of the stretches that cubic_step() tries: a third one would take longer than it saves.
+// Number of stretches that cubic_step() tries: a third would cost more than it saves.
 inline constexpr int kTries = 2;
 
 HWY_INLINE Numbers number(double value) { return hn::Set(Lanes(), value); }
@@ -110,7 +110,7 @@ HWY_INLINE void add_mode(const LaneVector& lanes, std::size_t i, std::size_t j, 
   const Numbers change = hn::MulSub(re, lost, hn::Mul(im, turned));
   const Numbers own = hn::MulSub(re, grown, hn::Mul(im, turned));
   const Numbers across = hn::MulAdd(re, turned, hn::Mul(im, grown));
-  // Of y = Re(Z e^{l s}) with y'' = -2 delta y' - w^2 y.
+  // Derivatives of y = Re(Z e^{l s}) with y'' = -2 delta y' - w^2 y.
   const Numbers slope = hn::Neg(hn::MulAdd(decay, own, hn::Mul(frequency, across)));
   const Numbers square = hn::Mul(rate, rate);
   const Numbers curvature = hn::Neg(hn::MulAdd(hn::Add(decay, decay), slope, hn::Mul(square, own)));
@@ -145,7 +145,7 @@ HWY_INLINE void find_point(const LaneVector& lanes, std::size_t i) {
                                                        lanes.get(LaneStopRow::kStartNoise, i)));
 }
 
-// As parabola_step() of first_zero.hpp; infinite where nothing ends it. Nothing, so that the lane
+// As parabola_step() of first_zero.hpp; infinite where there is no limit. Zero, so that the lane
 // leaves, where squares are out of the range of the numbers.
 HWY_INLINE Numbers parabola_step(Numbers value, Numbers slope, Numbers bound) {
   const Numbers zero = number(0.0);
@@ -176,7 +176,7 @@ HWY_INLINE SlowTerms forced_terms(const LaneVector& lanes, std::size_t i) {
           lanes.get(LaneStopRow::kForcedThird, i)};
 }
 
-// As cubic_step() there, and also from a stop that is left.
+// As cubic_step() of first_zero.hpp, and also from a stop that is left.
 HWY_INLINE Numbers cubic_step(Numbers clear, const SlowTerms& slow, Numbers first) {
   const Numbers rise = hn::Mul(slow.third, number(1.0 / 3.0));
   Numbers h = first, best = number(0.0);
@@ -186,13 +186,13 @@ HWY_INLINE Numbers cubic_step(Numbers clear, const SlowTerms& slow, Numbers firs
     h = hn::IfThenElse(hn::Lt(step, hn::Mul(number(7.0), h)),
                        hn::Mul(number(0.5), hn::Add(h, step)), hn::Mul(number(4.0), h));
   }
-  // From the stop itself only where it is left.
+  // A gap of zero counts only where it opens.
   const Chosen opens = hn::And(hn::Ge(clear, number(0.0)), hn::Gt(slow.slope, number(0.0)));
   return hn::IfThenElseZero(hn::Or(hn::Gt(clear, number(0.0)), opens), best);
 }
 
-// How far the gap at stop i is sure to stay open that has `clear` left, by its slow terms if the
-// quick ones cannot take away more than half of it.
+// How far the gap at stop i, now `clear`, is certain to stay open; by its slow terms if the fast
+// ones cannot take away more than half of it.
 HWY_INLINE Numbers clear_step(const LaneVector& lanes, std::size_t i, Numbers clear) {
   const std::size_t modes = lanes.columns->modes();
   const Numbers most = hn::Mul(lanes.get(LaneStopRow::kValue, i), number(0.5));

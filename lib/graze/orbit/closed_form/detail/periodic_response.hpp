@@ -1,16 +1,16 @@
-// How the structure answers forcing, constant load and impulses when all of them repeat every p
+// The response of the structure to forcing, constant load and impulses that all repeat every p
 // forcing periods.
 //
 // With E(s) the free flow over s seconds and P = pT, the motion that repeats with the forcing is
 //
 //   Y(theta) = Re(Y^ e^{i theta}) + Y_0,      Y^, Y_0 = (I - E(P))^-1 (response from rest over P),
 //
-// and the one that a unit impulse along d_j leaves behind, repeated every P, is
+// and the response to a unit impulse along d_j, repeated every P, is
 //
 //   G_j(s) = E(s) (I - E(P))^-1 (0; d_j),     0 < s <= P, s after the impulse; s = P: just before.
 //
-// I - E(P) is one 2 x 2 block per mode. It is singular where a mode's free motion repeats by
-// itself: an undamped mode in resonance with the forcing or a part of it, a free mass.
+// I - E(P) is one 2 x 2 block per mode. It is singular where the free motion of a mode has the
+// period P: an undamped mode in resonance with the forcing or a fraction of it, a free mass.
 #pragma once
 
 #include <optional>
@@ -28,8 +28,8 @@ struct RowMotion {
   double value = 0.0, rate = 0.0, acceleration = 0.0;
 };
 
-// What impulses have left along the row of each impact just before it, by rows; impulse j by
-// columns. The diagonal is zero: an impact's own impulse is left out.
+// The motion by the other impulses along the row of each impact just before it, by rows; impulse j
+// by columns. The diagonal is zero: an impact's own impulse is left out.
 struct ImpulseMotions {
   Matrix value, rate, acceleration;  // k x k, as of RowMotion
 };
@@ -43,20 +43,20 @@ class PeriodicResponse {
 
   // Y along the row of stop `at`, at forcing phase theta.
   RowMotion forced(int at, double theta) const;
-  // Y^ and Y_0 along it, m.
+  // Y^ and Y_0 along the row of stop `at`, m.
   Complex forced_along(int at) const { return forced_at_[static_cast<std::size_t>(at)]; }
   double rest_along(int at) const { return rest_at_[static_cast<std::size_t>(at)]; }
-  // Rate of the quickest mode or, if it is more, of the forcing, rad/s.
+  // The largest rate of a mode or, if larger, the forcing frequency, rad/s.
   double quickest() const;
   // G_by along the row of stop `at`, s in (0, P].
   RowMotion impulse(int at, int by, double s) const;
-  // The same between any two of many impacts on these stops at these instants, s in [0, P): what a
-  // mode does from each instant to the next is computed once. Of two at one instant each comes a
-  // whole P after the other.
+  // The same between any two of many impacts on these stops at these instants, s in [0, P): the
+  // motion of a mode between neighbouring instants is computed once. Of two impacts at one instant
+  // each counts as a whole P after the other.
   ImpulseMotions impulses(const std::vector<int>& stops, const Vector& instants) const;
 
-  // What a unit impulse on each mode alone leaves of it, by columns, at these instants after it, by
-  // rows: displacements and velocities.
+  // Displacements and velocities of each mode after a unit impulse on it alone, by columns, at
+  // these instants after the impulse, by rows.
   void modal_impulses(const Vector& instants, Matrix& displacements, Matrix& velocities) const;
 
   // The same as states of the modes.
@@ -69,7 +69,7 @@ class PeriodicResponse {
     double delta = 0.0, omega = 0.0, discriminant = 0.0;
     double displacement = 0.0, velocity = 0.0;  // (I - E(P))^-1 (0; 1)
   };
-  // Displacement and velocity that a unit impulse on the mode leaves, s after it.
+  // Displacement and velocity of the mode s after a unit impulse on it.
   static std::pair<double, double> after(const Mode& mode, double s);
 
   const System* system_ = nullptr;

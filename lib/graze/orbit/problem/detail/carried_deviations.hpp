@@ -1,5 +1,5 @@
-// What a segment (trajectory_segment.hpp) carries along with its motion: the deviations of its
-// start and the one by a parameter, event by event.
+// The deviations that a segment (trajectory_segment.hpp) carries along with its motion, event by
+// event: those of its start and the derivative by a parameter.
 #pragma once
 
 #include <vector>
@@ -10,41 +10,43 @@
 
 namespace graze {
 
-// A direction in which the start and the parameter move: weights of the deviations, one for each,
-// and of the parameter's own.
+// A direction in which the start and the parameter move: weights of the deviations, and of the
+// derivative by the parameter.
 struct SegmentDirection {
   Vector deviations;
   double parameter = 0.0;
   const System* tangent = nullptr;  // derivative of the system by the parameter
 };
 
-// What compressed springs push the structure with, but for one of them; empty where there are none.
+// The push of the compressed springs except one of them; empty where there are none.
 Vector spring_push(const System& system, const Motion<double>& motion, int without = -1);
 
 class CarriedDeviations {
  public:
-  // Refers to all of them; null: not asked for.
+  // Refers to all arguments; null: not requested.
   CarriedDeviations(const System& system, Motion<double>& motion, Deviations* deviations,
                     ParameterDeviation* parameter)
       : system_(system), motion_(motion), deviations_(deviations), parameter_(parameter) {}
 
   bool any() const { return deviations_ || parameter_; }
 
-  // Along the flight just flown; at a contact, to the deviated motion's own contact.
+  // Carries them along the flight just flown; at a contact, to the deviated motion's own contact.
   void carry(const Arrival<double>& arrival);
-  // Thrown back onto a stop without any flight.
+  // To a contact at the same instant: thrown back onto a stop without any flight.
   void meet_at_once(const Arrival<double>& arrival);
   void jump(const std::vector<ImpactShare<double>>& shares, const Vector& qdot_before);
-  // Put to rest on these stops, at the end of a chatter that was summed.
+  // The structure is put to rest on these stops, at the end of a chatter that was summed.
   void close(const std::vector<int>& stops, const State& before);
-  // Into a contact with a compliant stop at its surface, or with the sign -1 out of it.
+  // Into a contact with a compliant stop at its surface; with the sign -1 out of it.
   void cross_surface(int stop, double sign);
-  // Back to the instant of the undisturbed motion; its rate but for one spring.
+  // Refers the deviations to the instant of the undisturbed motion, along the rate of the motion
+  // without the spring at stop `without`; -1: with all springs.
   void project_to_fixed_time(int without = -1);
 
-  // How the gap at a stop, s after the departure of the flight just flown, moves along a direction.
+  // Derivative along a direction of the gap at a stop, s after the departure of the flight just
+  // flown.
   double gap_rate(const SegmentDirection& along, int stop, double s) const;
-  // How the speed of an impact moves, the deviations being those at the contact.
+  // Derivative of the speed of an impact, from the deviations at the contact.
   double speed_rate(const SegmentDirection& along, int stop, const State& before) const;
 
   std::vector<int> closed_now() const;

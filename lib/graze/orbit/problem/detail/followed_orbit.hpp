@@ -3,11 +3,11 @@
 //
 // The motion is certified event by event, so that a solution is admissible: gaps are clear between
 // events, contact forces push while stuck. Where stops are closed the section lies within a stuck
-// phase; the multipliers of what they hold are zero, exactly. With as many of them as there are
-// modes there is nothing to solve: the orbit is met by any start that sticks.
+// phase; the multipliers of held coordinates are exactly zero. With as many closed stops as modes
+// there are no unknowns: any start that sticks leads to the orbit.
 //
-// The tail of a chatter below the closure speed v_c is summed: the accumulation time errs by
-// O(v_c^2), state and multipliers by O(v_c^3), and the impacts are the resolved ones.
+// The tail of a chatter below the closure speed v_c is summed: the accumulation time has an error
+// of O(v_c^2), state and multipliers of O(v_c^3), and the impacts are the resolved ones.
 #pragma once
 
 #include <optional>
@@ -35,16 +35,16 @@ FollowedAnswer followed_orbit(const System& system, const State& at_period_start
 FollowedAnswer followed_orbit(const System& system, const std::vector<State>& turns,
                               const SegmentOptions& options);
 
-// The orbit that repeats, after `period` forcing periods, a motion that is known to do so, from a
-// state within a stuck phase. Nothing is solved; its residual says how nearly it repeats. No orbit
-// where the motion does not come back to that stuck phase.
+// The orbit from a state within a stuck phase, for a motion that is known to repeat after `period`
+// forcing periods. Nothing is solved; its residual is the distance from repeating. Returns no orbit
+// when the motion does not come back to that stuck phase.
 FollowedAnswer orbit_through(const System& system, const MotionState<double>& at_section,
                              int period, const SegmentOptions& options);
 
-// The orbit of a solution with these multipliers (at a release those of a section within the stuck
-// phase before it are found in place of them); with `grazing` as an impact at speed 0 with a
-// contact in which nothing happens. No orbit without any impact, where a rigid stop is stuck to and
-// none is closed at the section, where the motion does not come back to those that are, or cannot
+// The orbit of a solution with these multipliers (at a release they are replaced by those of a
+// section within the stuck phase before it); with `grazing`, a contact of zero duration counts as
+// an impact at speed 0. Returns nullopt when there is no impact, when a rigid stop is stuck to and
+// none is closed at the section, when the motion does not come back to the closed stops, or cannot
 // be followed.
 std::optional<Orbit> orbit_of(const System& system, const SegmentShooting& shooting,
                               const Vector& u, std::vector<Eigenvalue> multipliers,

@@ -1,4 +1,4 @@
-// By which layouts an orbit that is followed can be continued (segment_shooting.hpp).
+// The layouts by which an orbit that is followed can be continued (segment_shooting.hpp).
 #pragma once
 
 #include <vector>
@@ -15,9 +15,9 @@ struct LaidOrbit {
   double held = 0.0;  // how long the stop that is released there was closed, s
 };
 
-// The layouts by which an orbit that is followed is continued, the one to choose first. Where it
-// sticks: its releases, that of the most closed stops first, and of these the one after the longest
-// stuck phase; none where its stops are never let go. Else its fixed phase.
+// The layouts by which an orbit that is followed can be continued, the preferred one first. Where
+// it sticks they are at its releases, that of the most closed stops first, and among these the one
+// after the longest stuck phase; none where its stops are never released. Else its fixed phase.
 std::vector<LaidOrbit> layouts_of(const System& system, const Orbit& orbit,
                                   const SegmentOptions& options);
 

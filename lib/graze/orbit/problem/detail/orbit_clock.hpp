@@ -1,4 +1,4 @@
-// Where instants lie within an orbit: counted from the impact of the smallest phase.
+// Places instants within an orbit, counted from the impact of the smallest phase.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace graze {
 
 class OrbitClock {
  public:
-  // `impacts`: of one round. Requires forcing; refers to the system.
+  // `impacts`: of one period of the orbit. Requires forcing; refers to the system.
   OrbitClock(const System& system, int period, const std::vector<Instant<double>>& impacts);
 
   OrbitInstant operator()(const Instant<double>& at) const;
@@ -24,7 +24,7 @@ class OrbitClock {
   long long origin_ = 0;
 };
 
-// In time order within the orbit.
+// Whether a comes before b within the orbit.
 bool earlier(const OrbitInstant& a, const OrbitInstant& b);
 
 }  // namespace graze

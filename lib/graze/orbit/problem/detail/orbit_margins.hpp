@@ -1,4 +1,4 @@
-// What a solution of the shooting equations needs to be an orbit, as quantities that must stay
+// Conditions for a solution of the shooting equations to be an orbit, as quantities that must stay
 // positive, each with its rate along a branch of solutions: the speed of every impact, and the gap
 // at every interior approach to a stop.
 //
@@ -14,7 +14,7 @@
 
 namespace graze {
 
-// How a solution moves along a branch: rates of its unknowns and of the system, per unit of
+// Derivative of a solution along a branch: rates of its unknowns and of the system, per unit of
 // arclength.
 struct OrbitDirection {
   std::vector<ImpactPoint> impacts;  // rates of phase and state
@@ -23,11 +23,11 @@ struct OrbitDirection {
 };
 
 struct OrbitMargin {
-  std::size_t impact = 0;  // the impact whose speed it is, or that the flight comes after
-  int stop = 0;            // that is hit or approached, index from 0
+  std::size_t impact = 0;  // the impact of the speed, or before the flight
+  int stop = 0;            // the stop that is hit or approached, index from 0
   bool is_speed = false;
   double value = 0.0, rate = 0.0;  // m or m/s; per unit of arclength
-  // Of an approach: forcing phase from the impact to it, rad, and how that moves.
+  // For an approach: forcing phase from the impact to it, rad, and its rate.
   double after = 0.0, after_rate = 0.0;
 };
 
@@ -36,9 +36,9 @@ std::vector<OrbitMargin> speed_margins(const System& system, const ImpactPattern
                                        const std::vector<ImpactPoint>& points,
                                        const OrbitDirection& direction);
 
-// The approaches with a gap below `level`, m, flight by flight. Left out is the dip beyond the stop
-// that an impact at negative speed ends or begins with: it goes with that speed. An approach at
-// minus infinity says that the search could not be finished.
+// The approaches with a gap below `level`, m, flight by flight. The minimum beyond the stop that an
+// impact at negative speed ends or begins with is left out: it follows from that speed. A gap of
+// minus infinity means that the search could not be finished.
 std::vector<OrbitMargin> approach_margins(const System& system, const ImpactPattern& pattern,
                                           const std::vector<ImpactPoint>& points,
                                           const OrbitDirection& direction, double level);

@@ -1,13 +1,12 @@
-// The deviation to the motion of a system that is a little different, event by event, per unit of
-// the parameter that moves the system along its tangent: the derivative of a segment by a parameter
-// of the scene.
+// The derivative of a segment by a parameter of the scene, event by event: the deviation to the
+// motion of the system that the parameter changes along its tangent, per unit of the parameter.
 //
-// Carried like the deviations of a start (trajectory_segment.hpp), on its own events, with what the
-// parameter itself moves:
+// Carried like the deviations of a start (trajectory_segment.hpp), at its own events, with the
+// changes by the parameter itself:
 //   contact  b.dq + db.q = da at the deviated contact,  dt' = dt - (b.dq + db.q - da)/v;
 //   impact   the derivative of the jump at fixed position, by its speeds, rows, directions and r;
 //   closure  as an impact with r = 0;
-//   release  nothing: the contact force vanishes there.
+//   release  no change: the contact force vanishes there.
 // The clock is the forcing phase, as in parameter_growth.hpp.
 #pragma once
 
@@ -20,32 +19,32 @@ namespace graze {
 
 class ParameterDeviation {
  public:
-  // `start`: how the state at the start of the segment moves, at a fixed forcing phase. Refers to
-  // both systems. Requires forcing.
+  // `start`: derivative of the state at the start of the segment, at a fixed forcing phase. Refers
+  // to both systems. Requires forcing.
   ParameterDeviation(const System& system, const System& tangent, const State& start);
 
-  // Of the state at hand; at a fixed forcing phase again once the segment has ended.
+  // The derivative of the present state; at a fixed forcing phase again once the segment has ended.
   State value() const { return {column_.q.col(0), column_.qdot.col(0)}; }
 
-  // Along a flight of s seconds from `start` at phase theta. What it adds to b.dq + db.q - da at a
-  // stop is remembered for a contact at its end.
+  // Along a flight of s seconds from `start` at phase theta. Its change of b.dq + db.q - da at a
+  // stop is kept for a contact at the end.
   void carry(const ExactPhase<double>& phase, const State& start, double theta, double s);
   // The same on compressed springs, at no delay.
   void carry_on_springs(const ContactPhase<double>& phase, const State& start, double theta,
                         double s);
   // A contact with a compliant stop begins at its surface, or ends there with the opposite sign
-  // (sprung_deviation.hpp), which changes velocities by `change` times what reaches in; at no
-  // delay.
+  // (sprung_deviation.hpp), which changes velocities by `change` times the depth of the deviation;
+  // at no delay.
   void cross(int stop, const State& at, const Vector& change);
-  // On from a contact of the undisturbed motion to its own: `at` is the state before the impact,
-  // `rate` how it moves with time, v the approach speed, `departed`: the flight left this stop.
+  // From a contact of the undisturbed motion to its own: `at` is the state before the impact,
+  // `rate` its rate in time, v the approach speed, `departed`: the flight left this stop.
   void meet(int stop, const State& at, const State& rate, double v, bool departed);
-  // Thrown back onto a stop without any flight.
+  // To a contact at the same instant: thrown back onto a stop without any flight.
   void meet_at_once(int stop, const State& at, const State& rate, double v);
   void jump(const std::vector<ImpactShare<double>>& shares, const Vector& qdot_before);
-  // Put to rest on these stops, at the end of a chatter that was summed.
+  // The structure is put to rest on these stops, at the end of a chatter that was summed.
   void close(const std::vector<int>& stops, const State& before);
-  // Back to the undisturbed instant.
+  // Refers the deviation to the undisturbed instant.
   void end(const State& rate);
 
  private:

@@ -1,5 +1,5 @@
-// Newton's method on the equations of an orbit, whatever these are: the last word on each of them,
-// after rough guesses have been brought near. The recomputed residual is the judge.
+// Newton's method on the equations of an orbit of any kind: the last step of each search, after
+// rough guesses have been brought near. The recomputed residual is the judge.
 #pragma once
 
 #include <cmath>
@@ -17,8 +17,8 @@ namespace graze {
 // roundings (1e-14); the smallest residual where there is no solution is the distance to the fold.
 inline constexpr double kShootingTolerance = 1e-11;
 
-// Largest Newton step that a solution still asks for, of its size: how well it is determined, at
-// worst, beside a fold.
+// Largest Newton step that is left at a solution, relative to its size: how well it is determined,
+// at worst, beside a fold.
 inline constexpr double kShootingAccuracy = 1e-7;
 
 template <class Equations>
@@ -29,14 +29,14 @@ struct Polished {
   int evaluations = 0;    // of all that it took
 };
 
-// From u on, the equations there told by `equations_at` as an optional of a struct with their
-// `residual` and its `jacobian`; nothing where they cannot be evaluated, or when the tolerance is
-// not reached.
+// Newton's method from u on. `equations_at` returns an optional struct with the `residual` and the
+// `jacobian` of the equations. Returns nullopt when they cannot be evaluated, or when the tolerance
+// is not reached.
 template <class Evaluate>
 auto polish(Vector u, const Evaluate& equations_at) {
   using Equations = typename std::invoke_result_t<const Evaluate&, const Vector&>::value_type;
   constexpr int kMostSteps = 12;
-  // A start from which the equations get no nearer within some steps leads nowhere.
+  // Stops when the residual has not shrunk within some steps.
   constexpr int kPatience = 4;
   std::optional<Polished<Equations>> best;
   double least = std::numeric_limits<double>::infinity();
@@ -46,7 +46,7 @@ auto polish(Vector u, const Evaluate& equations_at) {
     ++evaluations;
     if (!at || !at->residual.allFinite()) break;
     const double residual = at->residual.size() > 0 ? at->residual.cwiseAbs().maxCoeff() : 0.0;
-    // Once below the tolerance go on while it pays: the last digits cost one more step.
+    // Below the tolerance goes on while the residual halves: the last digits cost one more step.
     if (best && !(residual < 0.5 * best->residual)) break;
     since = residual < 0.5 * least ? 0 : since + 1;
     if (since > kPatience) break;

@@ -1,4 +1,4 @@
-// What becomes of the motion of an orbit that sticks from the release at which it is continued
+// The motion of an orbit that sticks, from the release at which it is continued
 // (segment_shooting.hpp).
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace graze {
 
-// What became of the motion from a release.
+// The motion from a release.
 struct ReleaseReturn {
   TrajectorySegment segment;
   // The stops that were closed by a chatter (or an impact with r = 0), in time order.
@@ -18,13 +18,13 @@ struct ReleaseReturn {
   bool returns = false;  // to the same stops, released at the section
   // The shortest of these stuck phases, s; infinite where there is none.
   double shortest_sticking = 0.0;
-  // What happens. Its events change where an impact is born or lost, but also where two impacts at
-  // the head of a chatter come to be equally fast.
+  // Its events change where an impact is born or lost, but also where two impacts at the head of a
+  // chatter come to be equally fast.
   Itinerary itinerary{};
 };
 
-// Requires a layout with one section, at a release. Nothing where the motion cannot be followed.
-// `minima`: as in SegmentOptions.
+// Requires a layout with one section, at a release. Returns nullopt when the motion cannot be
+// followed. `minima`: as in SegmentOptions.
 std::optional<ReleaseReturn> return_of(const System& system, const SegmentShooting& shooting,
                                        const Vector& u, bool minima = false);
 

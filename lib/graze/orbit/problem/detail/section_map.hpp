@@ -1,14 +1,14 @@
 // The motion from one section to the next: the state at a forcing phase where some stops C are
 // closed (or none), after a number of forcing periods, with its derivatives.
 //
-// While the stops C hold, the motion has N - m degrees of freedom. A state on the section is told
+// While the stops C hold, the motion has N - m degrees of freedom. A state on the section is given
 // by x = (y, y') in coordinates that do not move with a parameter, y = U^T q and y' = U^T q' with U
-// at right angles to the rows of one system of a family; q follows from B^T q = a, U^T q = y,
-// likewise q'. Where no stop is closed, U = 1 and x is the whole state.
+// orthogonal to the rows of one system of a family; q follows from B^T q = a, U^T q = y, likewise
+// q'. Where no stop is closed, U = 1 and x is the whole state.
 //
-// The map is the simulator's own motion, certified as in a run, and so are its fixed points. It is
-// smooth through every contact on a compliant stop whose force sets in without a jump; at a grazing
-// contact else it has a corner.
+// The map is the simulated motion, certified as in a run, and so are its fixed points. It is smooth
+// through every contact on a compliant stop whose force sets in without a jump; at other grazing
+// contacts it has a corner.
 #pragma once
 
 #include <optional>
@@ -21,8 +21,8 @@
 
 namespace graze {
 
-// Slopes of the map through contacts on springs are known to about this, in its units: ten times
-// what a step of the deviations is. On rigid stops alone they are closed forms, to rounding.
+// Error of the map's slopes through contacts on springs, in its units: ten times that of a step of
+// the deviations. On rigid stops alone they are closed forms, to rounding.
 inline constexpr double kMapAccuracy = 10.0 * kDeviationTolerance;
 
 class SectionMap {
@@ -37,21 +37,22 @@ class SectionMap {
   const Vector& unit() const { return unit_; }        // of x
   Vector pack(const State& state) const;
 
-  // The state that x stands for, and how it moves with y, and y' likewise.
+  // The state of x, and its derivative by y, which is also that of q' by y'.
   struct Chart {
     State state;
     Matrix slope;  // V with B^T V = 0, U^T V = 1; N x (N - m)
   };
-  // Nothing where the rows have turned into the coordinates.
+  // Returns nullopt when the rows have turned so far that the coordinates no longer determine the
+  // state.
   std::optional<Chart> chart_at(const System& system, const Vector& x) const;
-  // How the state at a fixed x moves with a parameter.
+  // Derivative of the state by a parameter at a fixed x.
   State chart_rate(const System& system, const System& tangent, const State& at) const;
-  // How x moves with the state at its instant.
+  // Derivative of x by the state at its instant.
   Matrix seen(const Matrix& q, const Matrix& qdot) const;
 
-  // The start of the motion from x at phase theta, rad, within the forcing period 0. Nothing as
-  // above, where a rigid stop is penetrated, or a compliant one so deep that its damping would keep
-  // the structure for longer than can be followed.
+  // The start of the motion from x at phase theta, rad, within the forcing period 0. Returns
+  // nullopt where chart_at does, when a rigid stop is penetrated, or a compliant one so deep that
+  // its damping would keep the structure for longer than can be followed.
   std::optional<MotionState<double>> start_of(const System& system, const Vector& x,
                                               double theta) const;
 
@@ -64,16 +65,16 @@ class SectionMap {
     Matrix by_parameters;  // a column for each tangent
     std::vector<SegmentContact> contacts;
   };
-  // After whole periods; `moves`: the section's phase does. Nothing where the motion cannot be
-  // followed.
+  // The image after whole periods; `moves`: the section's phase is an unknown. Returns nullopt when
+  // the motion cannot be followed.
   std::optional<Image> image(const System& system, const Vector& x, double theta, int periods,
                              bool moves, std::span<const System* const> tangents) const;
-  // Why there is none; empty where there is.
+  // Why image() is nullopt; empty where it is not.
   std::string why_no_image(const System& system, const Vector& x, double theta, int periods) const;
-  // The motion over as many periods; nothing likewise. `minima`: as in SegmentOptions.
+  // The motion over as many periods; nullopt likewise. `minima`: as in SegmentOptions.
   std::optional<TrajectorySegment> follow(const System& system, const Vector& x, double theta,
                                           int periods, bool minima = false) const;
-  // Followed along a direction of (theta where it moves, x) and of the parameter.
+  // The same along a direction of (theta where it moves, x) and of the parameter.
   std::optional<TrajectorySegment> follow_along(const System& system, const Vector& x, double theta,
                                                 int periods, bool moves, const System& tangent,
                                                 const Vector& direction,
@@ -90,7 +91,7 @@ class SectionMap {
   };
   std::optional<Within> within(const System& system, const Vector& x, double theta, double angle,
                                bool moves, std::span<const System* const> tangents) const;
-  // The same section, of motions that do not see a stop for a while.
+  // The same section for motions in which a stop is ignored for some time.
   SectionMap leaving_out(const LeftOut& one) const;
 
  private:
@@ -107,7 +108,7 @@ class SectionMap {
 double seconds_between(const System& system, const Instant<double>& from,
                        const Instant<double>& to);
 
-// (q', q'') where a motion is, its closed stops holding and its springs pushing.
+// (q', q'') of a motion at its state, with closed stops and springs.
 State rate_of(const System& system, const MotionState<double>& at);
 
 // The stops that are closed there, in rising order.

@@ -1,5 +1,5 @@
-// The events of segments from section to section as those of one orbit: what lasts over a section
-// is put together again.
+// The events of segments from section to section as those of one orbit: contacts and stuck phases
+// that a section cuts are joined again.
 #pragma once
 
 #include <optional>
@@ -17,8 +17,8 @@ struct MetGrazing {
   State state;
 };
 
-// Adds the impacts and the stuck phases to the orbit, in time order, and tells where the first of
-// its section's states lies. `periods`: of each segment.
+// Adds the impacts and the stuck phases to the orbit, in time order, and sets the instant of the
+// first of its section's states. `periods`: of each segment.
 void add_events(const System& system, const std::vector<TrajectorySegment>& segments, int periods,
                 const std::optional<MetGrazing>& grazing, Orbit& orbit);
 

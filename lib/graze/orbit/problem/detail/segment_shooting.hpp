@@ -1,20 +1,20 @@
 // Periodic motion whose segments are followed, as a system of equations between sections.
 //
-// Every section lies at one forcing phase theta, with the same stops C closed (none: a
-// stroboscopic section), and x_i tells the state on it (section_map.hpp). Unknown are x_1, .., x_n,
+// Every section lies at one forcing phase theta, with the same stops C closed (none: a stroboscopic
+// section), and x_i is the state on it (section_map.hpp). The unknowns are x_1, .., x_n,
 //
 //   P(x_i) - x_{i+1} = 0,   cyclic, P the motion over p/n forcing periods,
 //
 // so that no long product of slopes enters the equations. Where a stop is released at the section
-// its phase is unknown too, u = (theta, x_1, ..), and with it goes
+// its phase is unknown too, u = (theta, x_1, ..), with the equation
 //
 //   force(theta, x_1) = 0,   the contact force of that stop falls to zero.
 //
-// With as many stops closed as there are modes nothing is left of the x_i, and of the equations the
-// force alone.
+// With as many stops closed as there are modes there are no x_i, and the force is the only
+// equation.
 //
-// P goes on being continuous where a chatter no longer completes: the motion then comes near the
-// stop instead of to rest on it. Such a solution is no orbit; it lets the end of a branch be
+// P stays continuous where a chatter no longer completes: the motion then comes near the stop
+// instead of to rest on it. Such a solution is no orbit; it allows the end of a branch to be
 // bracketed from both sides.
 #pragma once
 
@@ -49,7 +49,7 @@ struct SegmentProduct {
   Complex multiplier;
 };
 
-// A contact of a segment, cut by its ends or not.
+// A contact of a segment, cut by the ends of the segment or not.
 struct PassedContact {
   int stop = 0;
   bool from_start = false, to_end = false;
@@ -69,7 +69,7 @@ class SegmentShooting {
 
   Eigen::Index size() const { return head() + layout_.sections * map_.size(); }
   Eigen::Index head() const { return layout_.released ? 1 : 0; }  // where x_1 begins
-  // What the unknowns may come round by: a turn at the phase, else zero.
+  // The periods of the unknowns: 2 pi for the phase, else zero.
   Vector wrap() const;
   double theta_of(const Vector& u) const { return layout_.released ? u[0] : layout_.theta; }
   // x_i, i from 0.
@@ -81,31 +81,31 @@ class SegmentShooting {
   Vector pack(const std::vector<State>& states) const { return pack(layout_.theta, states); }
   std::vector<State> unpack(const System& system, const Vector& u) const;
 
-  // With all derivatives, for the parameters that move the system along these tangents; nothing
-  // where a segment cannot be followed. `factors`: the slope of each segment at fixed phases.
+  // All derivatives, also by the parameters that move the system along these tangents; nullopt when
+  // a segment cannot be followed. `factors`: the slope of each segment at fixed phases.
   std::optional<ShootingLinearisation> linearise(const System& system, const Vector& u,
                                                  std::span<const System* const> tangents,
                                                  std::vector<Matrix>* factors = nullptr) const;
-  // Of a solution: those of the product of the slopes, and 2m zeros, exactly: the held motion has
-  // forgotten what came before. Empty where a segment cannot be followed.
+  // Multipliers of a solution: those of the product of the slopes, and 2m exact zeros, since the
+  // held motion does not depend on what came before. Empty where a segment cannot be followed.
   std::vector<Eigenvalue> multipliers(const System& system, const Vector& u,
                                       ErrorBounds errors) const;
   std::vector<Eigenvalue> multipliers(const System& system, const std::vector<Matrix>& factors,
                                       ErrorBounds errors) const;
-  // What each product comes to, as far as it hangs on the x_i of one section (and on theta and the
+  // Values of the products, as far as they depend on the x_i of one section (and on theta and the
   // parameters), and the contacts of the motion from there.
   struct Products {
     ComplexVector sums;
     std::vector<PassedContact> contacts;
   };
-  // Nothing as above.
+  // Returns nullopt when a segment cannot be followed.
   std::optional<Products> products(const System& system, const Vector& u, int section,
                                    const std::vector<SegmentProduct>& products) const;
 
   // The segments from section to section; empty where one cannot be followed.
   std::vector<TrajectorySegment> follow(const System& system, const Vector& u,
                                         bool minima = false) const;
-  // What must stay positive for their events to stay what they are, in time order; `direction`:
+  // Quantities that must stay positive for the events to stay the same, in time order; `direction`:
   // rates of the unknowns, and of the parameter that moves the system along `tangent`.
   std::optional<std::vector<SegmentMargin>> margins(const System& system, const Vector& u,
                                                     const System& tangent, const Vector& direction,

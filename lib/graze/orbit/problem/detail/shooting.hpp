@@ -25,11 +25,11 @@ namespace graze {
 struct ShootingLinearisation {
   Vector residual;
   Matrix jacobian;  // by x
-  Matrix closing;   // what of it the last flight's end depends on by closing on the first impact
+  Matrix closing;   // the derivative of the last flight's end by the first impact
   Matrix by_parameters;  // a column for each tangent of the system
 };
 
-// Unknowns and residuals are scaled: phases by 1 rad, the others as MotionScale tells, gaps by its
+// Unknowns and residuals are scaled: phases by 1 rad, the others by MotionScale, gaps by its
 // length.
 class ShootingProblem {
  public:
@@ -41,13 +41,13 @@ class ShootingProblem {
   const MotionScale& scale() const { return scale_; }
   // k (2N + 1)
   Eigen::Index size(const System& system) const;
-  // What the unknowns may come round by: a turn at each phase, else zero.
+  // The periods of the unknowns: 2 pi for each phase, else zero.
   Vector wrap() const;
 
   Vector pack(const std::vector<ImpactPoint>& impacts) const;
   std::vector<ImpactPoint> unpack(const System& system, const Vector& x) const;
 
-  // Residual at x (scaled), and its Jacobian by x where that is asked for.
+  // Residual at x (scaled), and on request its Jacobian by x.
   Vector residual(const System& system, const Vector& x, Matrix* jacobian = nullptr) const;
 
   // With all derivatives, for the parameters that move the system along these tangents.
@@ -55,7 +55,7 @@ class ShootingProblem {
                                   std::span<const System* const> tangents) const;
 
  private:
-  // What residual() and linearise() are asked for; null and empty where it is not.
+  // The requested results of residual() and linearise(); null and empty where not requested.
   struct Wanted {
     Matrix* jacobian = nullptr;
     Matrix* closing = nullptr;
@@ -64,7 +64,7 @@ class ShootingProblem {
   };
   Vector evaluate(const System& system, const Vector& x, const Wanted& wanted) const;
   // The derivatives of the two matching equations of mode j from the impact whose unknowns begin at
-  // `at`, by these, and by those of the impact it leads to, which begin at `to`.
+  // `at`, by these, and by those of the next impact, which begin at `to`.
   void add_mode(const System& system, const Stop& stop, double jump_slope,
                 const ModeTransition& arc, Eigen::Index j, Eigen::Index at, Matrix& jacobian) const;
   void add_end(const System& system, const ModeTransition& arc, Eigen::Index j, Eigen::Index at,

@@ -1,5 +1,5 @@
 // Second derivatives of the shooting equations, contracted with a vector from the left and one from
-// the right: what the equations of a locus in two parameters need (zero_problem.hpp). Analytic.
+// the right, as the equations of a locus in two parameters need them (zero_problem.hpp). Analytic.
 #pragma once
 
 #include <span>

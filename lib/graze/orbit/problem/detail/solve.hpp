@@ -1,7 +1,7 @@
 // Solving the shooting equations at fixed parameters: Newton's method for good guesses, Ceres'
-// Levenberg-Marquardt to bring in poor ones. The recomputed residual is the judge of both; a
-// solver's own word of convergence is not asked (just past a fold, where there is no solution,
-// least squares reports success at its smallest residual).
+// Levenberg-Marquardt for poor ones. The recomputed residual is the judge of both, not the solver's
+// own report of convergence (just past a fold, where there is no solution, least squares reports
+// success at its smallest residual).
 #pragma once
 
 #include <optional>
@@ -17,12 +17,12 @@ struct ShootingSolution {
   int evaluations = 0;
 };
 
-// Newton's method from x. Nothing when it does not reach the tolerance.
+// Newton's method from x. Returns nullopt when it does not reach the tolerance.
 std::optional<ShootingSolution> newton(const ShootingProblem& problem, const System& system,
                                        const Vector& x);
 
-// Levenberg-Marquardt (Ceres) from x, then Newton. Nothing when the residual stays above the
-// tolerance.
+// Levenberg-Marquardt (Ceres) from x, then Newton. Returns nullopt when the residual stays above
+// the tolerance.
 std::optional<ShootingSolution> seek(const ShootingProblem& problem, const System& system,
                                      const Vector& x);
 

@@ -1,12 +1,12 @@
 // One segment of the hybrid motion between two instants, with its impacts, closed chatters, stuck
-// phases and releases, certified as in a run; and what becomes of small deviations from it.
+// phases and releases, certified as in a run; and the growth of small deviations from it.
 //
 // The derivative of the map from start to end, event by event (docs/theory.md, Orbits that stick):
 //   impact   the derivative of the jump at fixed position, shared with the stops that are touched;
-//   closure  as an impact with r = 0 on that stop: what it closes on forgets its deviation along
-//            (b.q, b.q'). State and derivative err by O(v_c^3);
+//   closure  as an impact with r = 0 on that stop: deviations (b.q, b.q') along the closed stops
+//            vanish. State and derivative have an error of O(v_c^3);
 //   release  the identity: the contact force vanishes there and (q', q'') is continuous;
-//   contact with a compliant stop: as sprung_deviation.hpp says.
+//   contact with a compliant stop: as in sprung_deviation.hpp.
 #pragma once
 
 #include <functional>
@@ -21,10 +21,10 @@
 
 namespace graze {
 
-// A stop that is as if it were not there for a while, s after the start, around an approach that
-// just touches it. So a segment that grazes is followed on either side of the grazing, where the
-// approach stays away or would be an impact, by one motion that is smooth. The gap is open when
-// that while begins and when it ends.
+// A stop that is ignored for some time, s after the start, around an approach that just touches it.
+// So a segment that grazes is followed on either side of the grazing, where the approach stays away
+// or would be an impact, by one motion that is smooth. The gap must be open when that time begins
+// and ends.
 struct LeftOut {
   int stop = 0;
   double from = 0.0, to = 0.0;
@@ -35,16 +35,16 @@ struct SegmentOptions {
   long long max_impacts = kDefaultImpactBudget;
   StopSignal stop{};
   bool minima = false;  // look for the minima of gaps and contact forces
-  // Of speeds and approaches, along it, the rates: with deviations and a parameter's deviation
-  // only.
+  // Direction along which rates of speeds and approaches are computed; only with deviations and a
+  // parameter's deviation.
   std::optional<SegmentDirection> along{};
   std::optional<LeftOut> left_out{};
-  // Called for every flight: the phase as it was flown, when it began, how long it was, s.
+  // Called for every flight: the phase as it was flown, the instant of its start, its duration, s.
   std::function<void(const ContactPhase<double>&, const Instant<double>&, double)> flight{};
-  // Of every impact, with the shares of all stops that are touched, held ones too.
+  // Called for every impact, with the shares of all stops that are touched, held ones too.
   std::function<void(const std::vector<ImpactShare<double>>&)> impact{};
-  // Where a chatter is summed: the stops that hold the structure from then on, and the velocities
-  // that it is put to rest from, kg^1/2 m/s.
+  // Called where a chatter is summed: the stops that hold the structure from then on, and the
+  // velocities that this takes away, kg^1/2 m/s.
   std::function<void(const std::vector<int>&, const Vector&)> closure{};
 };
 
@@ -73,8 +73,8 @@ struct SegmentSticking {
   std::optional<double> smallest_force;     // interior local minimum, N; with `minima`
 };
 
-// A contact at a compliant stop, from its entry until its force is gone for good: a spring that
-// grips again below the surface goes on with it. One that the start of the segment cuts has no
+// A contact at a compliant stop, from its entry until its force is finally gone: a spring that
+// grips again below the surface continues it. A contact cut by the start of the segment has no
 // speed.
 struct SegmentContact {
   int stop = 0;
@@ -108,13 +108,13 @@ struct TrajectorySegment {
   std::vector<SegmentApproach> approaches;  // with `along`
 };
 
-// Follows the motion from `start` to `end`. With `deviations`, those of the start become those of
-// the end (both at unmoved instants); fails where two stops are hit at one instant, where the map
-// has no derivative. `parameter` likewise, at unmoved forcing phases.
+// Follows the motion from `start` to `end`. `deviations` of the start become those of the end (both
+// at fixed instants); fails where two stops are hit at one instant, where the map has no
+// derivative. `parameter` likewise, at fixed forcing phases.
 TrajectorySegment pass(const System& system, const MotionState<double>& start,
                        const Instant<double>& end, const SegmentOptions& options,
                        Deviations* deviations = nullptr, ParameterDeviation* parameter = nullptr);
-// The same from where the motion is, which keeps what it knows of its stops.
+// The same from the present state of a motion, whose cached phases are used.
 TrajectorySegment pass(const System& system, Motion<double>& motion, const Instant<double>& end,
                        const SegmentOptions& options, Deviations* deviations = nullptr,
                        ParameterDeviation* parameter = nullptr);

@@ -5,7 +5,7 @@
 //                 contact of the same effective mass at the same speed has;
 //   random        rough guesses at impacts (rough_guess.hpp), followed through their contacts.
 //
-// And of a search for orbits that stick, from an impact that no flight follows.
+// Also starts of a search for orbits that stick, from an impact that is followed by no flight.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,15 @@
 
 namespace graze {
 
-// From just before an impact on this stop, through what becomes of it, to the end of the forcing
-// period. Nothing where the motion cannot be followed so far.
+// Follows the motion from just before an impact on this stop to the end of the forcing period.
+// Returns nullopt when it cannot be followed so far.
 std::optional<State> period_end_after(const System& system, const ImpactPoint& impact, int stop,
                                       const SegmentOptions& segment);
 
 std::vector<State> closed_form_contacts(const System& system, int period,
                                         const SegmentOptions& segment);
 
-// On this stop, no more than `count`; `speed`, m/s, of the forced motion.
+// At most `count` starts on this stop; `speed`, m/s, of the forced motion.
 std::vector<State> rough_contacts(const System& system, int stop, int period, int count,
                                   double speed, std::uint64_t seed, const SegmentOptions& segment);
 

@@ -1,5 +1,4 @@
-// A motion followed forcing period by forcing period, through chatter and sticking, by a walk along
-// it.
+// A motion followed forcing period by forcing period, through chatter and sticking.
 #pragma once
 
 #include <optional>
@@ -11,12 +10,12 @@ namespace graze {
 
 class FollowedPeriods {
  public:
-  // Refers to both. Starts in the state of the settling.
+  // Refers to both arguments. Starts in the state of the settling.
   FollowedPeriods(const System& system, Settling& settling);
 
-  // From here on, in the period that the settling is in.
+  // Goes on from this state, in the present period of the settling.
   void go_on_from(const MotionState<double>& state);
-  // To the end of the period, and tells the settling.
+  // Follows the motion to the end of the period, and reports it to the settling.
   void follow();
   // Whether every stop is open and not touched.
   bool is_clear() const;

@@ -10,9 +10,9 @@ struct ImpactSequences {
   bool complete = true;                     // whether none was left out
 };
 
-// All sequences of k stops out of `stops`, those that are rotations of each other once, as their
-// smallest rotation; at most `most` of them. (Fredricksen, Kessler & Maiorana's generation of
-// necklaces: J. Combin. Theory B 24, 1978.)
+// All sequences of k stops out of `stops`, each class of rotations once, as its smallest rotation;
+// at most `most` of them. (Fredricksen, Kessler & Maiorana's generation of necklaces: J. Combin.
+// Theory B 24, 1978.)
 ImpactSequences impact_sequences(int stops, int k, std::size_t most);
 
 }  // namespace graze

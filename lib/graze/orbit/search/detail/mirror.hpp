@@ -10,11 +10,11 @@
 
 namespace graze {
 
-// For each stop its opposite; nothing where one has none, or a constant load tells the sides apart.
+// For each stop its opposite; nullopt when one has none, or a constant load breaks the symmetry.
 std::optional<std::vector<int>> opposite_stops(const System& system);
 
-// The mirror image of an orbit; nothing where its motion cannot be solved for or does not come back
-// to its section. `opposite` as above.
+// The mirror image of an orbit; nullopt when its equations cannot be solved or its motion does not
+// come back to its section. `opposite` as above.
 std::optional<Orbit> mirrored_orbit(const System& system, const Orbit& orbit,
                                     const std::vector<int>& opposite,
                                     const SegmentOptions& options);

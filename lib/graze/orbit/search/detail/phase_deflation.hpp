@@ -6,16 +6,16 @@
 //              stop eta^2/d(theta_i, theta_j)^2,
 //
 // which is at least one, so that no solution is made or lost, and so large near the known points
-// that the product does not vanish there: the residual falls like d, the factor grows like 1/d^2.
-// Known points count with all their images: impacts numbered from another one, and the whole orbit
-// later by some forcing periods, which the distance does not see: it is made of the first phase
-// modulo one turn and of the others' distances from the first modulo p turns,
+// that the product does not vanish there: the residual falls like d, the factor grows like 1/d^2. A
+// known point counts with all its images: with its impacts numbered from another one, and as the
+// whole orbit shifted by forcing periods, to which the distance is invariant. The distance consists
+// of the first phase modulo 2 pi and of the others' distances from the first modulo 2 pi p,
 //
 //   d^2 = (2 sin(D_0/2))^2 + sum_i>0 (2 p sin((D_i - D_0)/(2 p)))^2,     D = theta - point,
 //
-// the distance in space of the points that `place` makes of the phases.
-// The pairs are the points where two impacts become one, which solve the equations but are no
-// orbits (phase_problem.hpp); their distance is the chord of p turns.
+// the Euclidean distance between the images of the phases under `place`. The pairs are the points
+// where two impacts become one, which solve the equations but are no orbits (phase_problem.hpp);
+// their distance is the chord of an angle modulo 2 pi p.
 #pragma once
 
 #include <vector>
@@ -32,7 +32,7 @@ class PhaseDeflation {
   const ImpactPattern& pattern() const { return pattern_; }
   // Adds a point: its impacts in time order.
   void add(const std::vector<int>& stops, const Vector& phases);
-  // M at the phases and, where asked for, its gradient.
+  // M at the phases and, on request, its gradient.
   double factor(const Vector& phases, Vector* gradient = nullptr) const;
   // Whether the phases are those of a known point, each to within `distance`, rad.
   bool knows(const Vector& phases, double distance) const;

@@ -1,4 +1,4 @@
-// Which solutions of the phase problem are orbits.
+// Decides which solutions of the phase problem are orbits.
 #pragma once
 
 #include <optional>
@@ -11,18 +11,18 @@ namespace graze {
 
 class PhaseJudge {
  public:
-  // Refers to the system and its response, which must outlive it. `keep_virtual`: solutions that
-  // are no orbits are wanted too.
+  // Refers to the system and its response, which must outlive it. `keep_virtual`: virtual solutions
+  // are wanted too.
   PhaseJudge(const System& system, const PeriodicResponse& response, const MotionScale& scale,
              bool keep_virtual)
       : system_(system), response_(response), scale_(scale), keep_virtual_(keep_virtual) {}
 
-  // The orbit of a solution; only outlined where it surely is none and is not wanted. Nothing where
-  // Newton's method loses it or it repeats a shorter one.
+  // The orbit of a solution; only its outline when it is certainly virtual and that is not wanted.
+  // Returns nullopt when Newton's method loses it or it repeats a shorter one.
   std::optional<Orbit> orbit_of(const PhaseSolution& solution) const;
 
-  // Whether a look at the motion at some instants shows that it is no orbit, where such are not
-  // wanted: cheap beside a search for the minima of its gaps.
+  // Whether the motion at some instants shows that the solution is virtual, where that is not
+  // wanted: cheap compared with a search for the minima of its gaps.
   bool is_refused(const PhaseSolution& solution) const;
 
  private:

@@ -2,11 +2,11 @@
 //
 // In rounds: starts are points of a Sobol sequence on the ordered phases; from each a
 // Levenberg-Marquardt solve (Ceres) of the deflated phase problem, then Newton's method on the
-// problem itself. What a round has found is deflated in the next one; two rounds in a row without
-// anything new are the last. Where all that found nothing, the lowest deflated residual on the
-// whole torus is looked for and solved from in the same way.
+// problem itself. The solutions of a round are deflated in the next one; the search ends after two
+// rounds in a row without a new solution. If there is none at all, the lowest deflated residual on
+// the whole torus is searched for and used as a start in the same way.
 //
-// The number of threads changes nothing: the starts of a round know nothing of each other and are
+// Results do not depend on the number of threads: the starts of a round are independent and are
 // collected in their order.
 #pragma once
 
@@ -23,14 +23,14 @@
 namespace graze {
 
 // A solution of the phase problem: its impacts in time order from the smallest phase, which lies in
-// [0, 2 pi), the others within p turns of it.
+// [0, 2 pi), the others within 2 pi p of it.
 struct PhaseSolution {
   ImpactPattern pattern;
   Vector phases;  // rad
   Vector speeds;  // m/s
 };
 
-// The orbit that it is, without states and multipliers.
+// The orbit of a solution, without states and multipliers.
 Orbit outline(const PhaseSolution& solution);
 
 // Start phases: points of the Sobol sequence, each coordinate moved by exclusive or with a number
@@ -38,7 +38,7 @@ Orbit outline(const PhaseSolution& solution);
 class PhaseStarts {
  public:
   PhaseStarts(int period, int impacts, std::uint64_t seed);
-  // The next one, rad: ascending within p turns, the first in [0, 2 pi).
+  // The next start, rad: ascending within 2 pi p, the first in [0, 2 pi).
   Vector next();
 
  private:
@@ -54,14 +54,14 @@ class PhaseSearch {
   PhaseSearch(const PeriodicResponse& response, const ImpactPattern& pattern,
               const PhaseSearchOptions& options);
 
-  // Leaves a solution out of the search: its impacts in time order, phases in rad.
+  // Deflates a solution: its impacts in time order, phases in rad.
   void know(const std::vector<int>& stops, const Vector& phases);
 
   // The solutions that the rounds find, each once. A solve may end in another order of the same
   // stops than the pattern's.
   std::vector<PhaseSolution> local();
   // A solution from the lowest deflated residual, if it leads to a new one; if not, the next call
-  // looks elsewhere.
+  // searches elsewhere.
   std::optional<PhaseSolution> global();
 
   int tried() const { return tried_; }          // local solves
@@ -69,7 +69,7 @@ class PhaseSearch {
 
  private:
   std::vector<Vector> starts_of_a_round();
-  // Adds the solution to what is known; whether it was new.
+  // Adds the solution to the known ones; returns whether it was new.
   bool learn(const PhaseSolution& solution);
 
   const PeriodicResponse* response_;
@@ -80,12 +80,12 @@ class PhaseSearch {
   int tried_ = 0, converged_ = 0;
 };
 
-// The solution that Newton's method leads to from phases near it, or nothing: two impacts of one
-// stop at one instant are none. `length`, m, unit of the residual.
+// The solution that Newton's method leads to from phases near it; nullopt when there is none, or
+// when two impacts of one stop coincide. `length`, m, unit of the residual.
 std::optional<PhaseSolution> solution_near(const PhaseProblem& problem, double length,
                                            const Vector& phases);
 
-// The solution that a solve from the start leads to, or nothing.
+// The solution that a solve from the start leads to, or nullopt.
 std::optional<PhaseSolution> solve_phases(const PeriodicResponse& response,
                                           const PhaseDeflation& deflation, const Vector& start,
                                           const PhaseSearchOptions& options);

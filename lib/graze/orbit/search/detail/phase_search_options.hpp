@@ -10,8 +10,8 @@ namespace graze {
 struct PhaseSearchOptions {
   int starts = 64;  // of a round
   int rounds = 8;   // at most
-  // Start only where every stop is approached. No solution is barred, but a start is likelier to
-  // lead to an orbit: one is surrounded by such points.
+  // Start only where every stop is approached. No solution is excluded, but a start is more likely
+  // to lead to an orbit: an orbit is surrounded by such points.
   bool approaching = true;
   int global_evaluations = 2048;
   std::uint64_t seed = 1;  // moves the Sobol sequence

@@ -1,4 +1,4 @@
-// States from which motions start, spread over what the forced motion reaches.
+// Start states of motions, spread over the range of the forced motion.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,16 @@
 
 namespace graze {
 
-// The static deflection under a force at a stop and a velocity of that shape, as far and as fast as
-// the system's scale has it, besides the steady response where there is one; clear of the rigid
-// stops where they let themselves be cleared, and no deeper in a spring than a motion as fast would
-// press it: a stiff one would else hold more energy than the forcing gives in any number of
-// periods. `coordinates`: of both at each stop in turn, in [-1, 1). Requires forcing and a stop.
+// The static deflection under a force at a stop and a velocity of that shape, up to the system's
+// scale of displacement and speed, added to the steady response where there is one. It is moved
+// clear of the rigid stops where possible, and is no deeper in a spring than a motion of that speed
+// would press it: in a stiff spring it would else hold more energy than the forcing gives in any
+// number of periods. `coordinates`: of both at each stop in turn, in [-1, 1). Requires forcing and
+// a stop.
 State start_at(const System& system, std::span<const double> coordinates);
 
-// One of these at random, the same for the same numbers on every machine: `draw` is that of a
-// series by `seed`.
+// A random one of these, the same for the same numbers on every machine: number `draw` of the
+// series given by `seed`.
 State random_start(const System& system, std::uint64_t seed, std::uint64_t draw);
 
 }  // namespace graze

@@ -1,4 +1,4 @@
-// Guesses at orbits that fulfil contact and little else, for Levenberg-Marquardt to bring in.
+// Guesses at orbits that satisfy contact and little else, as starts for Levenberg-Marquardt.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@ namespace graze {
 // as near to the forced response as a static push and a matching velocity allow.
 ImpactPoint rough_guess(const System& system, int stop, double theta, double speed);
 
-// Such impacts for a pattern at quasi-random phases, with random speeds up to twice `speed`, m/s:
-// as many guesses as asked for, the same for the same seed.
+// `count` such guesses for a pattern at quasi-random phases, with random speeds up to twice
+// `speed`, m/s; the same for the same seed.
 std::vector<std::vector<ImpactPoint>> rough_guesses(const System& system,
                                                     const ImpactPattern& pattern, int count,
                                                     double speed, std::uint64_t seed);

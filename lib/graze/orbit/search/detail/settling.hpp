@@ -1,5 +1,5 @@
-// What a motion settles on, judged forcing period by forcing period, whoever follows it: a walk
-// along it, or a lane in which it is flown beside others.
+// Decides what a motion settles on, forcing period by forcing period. The motion itself is followed
+// by the caller, alone or in a lane beside others.
 #pragma once
 
 #include <optional>
@@ -16,31 +16,31 @@ namespace graze {
 
 class Settling {
  public:
-  // Refers to the system. From `start`, at the start of a forcing period.
+  // Refers to the system. `start`: at the start of a forcing period.
   Settling(const System& system, const State& start, SettleOptions options);
 
   bool is_over() const { return over_; }
-  // Forcing periods that are over.
+  // Number of complete forcing periods.
   long long periods() const { return history_.periods(); }
   const ExactFlow<double>& flow() const { return flow_; }
   const SettleOptions& options() const { return options_; }
   double closure_speed() const { return closure_speed_; }
-  // At the start of the present period.
+  // The state at the start of the present period.
   State state() const { return history_.state_at_start(history_.periods()); }
 
-  // An impact at `local` s in the present period, in the state just before it. False where that was
-  // one too many.
+  // Adds an impact at `local` s in the present period, in the state just before it. Returns false
+  // when that exceeds the budget.
   bool add_impact(int stop, double local, double speed, const Vector& q, const Vector& qdot);
-  // The period is over, in this state: looks whether the motion has settled.
+  // Ends the period in this state, and checks whether the motion has settled.
   void end_period(const Vector& q, const Vector& qdot, PeriodHistory::Contacts contacts);
-  // Whether it is to stop; `work`: multiply-adds since that was asked last, roughly.
+  // Whether it is asked to stop; `work`: multiply-adds since the last call, roughly.
   bool is_stopped(long long work) { return stop_requested(poll_.is_due(work)); }
   // The motion cannot be followed, for this reason.
   void refuse(const std::string& failure);
-  // The search for its next event gave up, perhaps as it was to stop.
+  // To be called when the search for the next event gave up, perhaps because it was asked to stop.
   bool was_stopped() { return stop_requested(true); }
 
-  // Requires that it is over.
+  // Requires that the settling is over.
   SettledMotion result();
 
  private:

@@ -1,5 +1,5 @@
-// What motions from a spread of starts settle on: stable orbits that coexist with those a search
-// has found, whatever their number of impacts.
+// Stable orbits that motions from a spread of starts settle on and that a search has not found,
+// whatever their number of impacts.
 //
 // Starts are points of a Sobol sequence, moved by the seed: at each stop the static deflection
 // under a force there and a velocity of that shape, up to twice the system's scale either way from
@@ -15,12 +15,12 @@ namespace graze {
 
 inline constexpr int kSpreadStarts = 128;
 
-// Impacts and forcing periods of all these motions together, with rigid stops and with compliant
-// ones, where each costs some fifty times as much: no more time than the rest of a search takes.
+// Budget of impacts and forcing periods for all these motions together, with rigid stops and with
+// compliant ones, where each costs some fifty times as much: no more time than the other searches.
 inline constexpr long long kSpreadWork = 40960, kSprungSpreadWork = 1024;
 
-// Adds the stable orbits that such motions settle on, where the options ask for them, and a note of
-// what became of all the starts where an orbit is new. Fewer starts are followed where `most_work`
+// Adds the stable orbits that such motions settle on, if the options ask for them, and a note on
+// the outcome of all starts when an orbit is new. Fewer starts are followed when `most_work`
 // impacts and forcing periods are used up. Requires forcing and a stop.
 void add_settled_orbits(const System& system, const FinderOptions& options, long long most_work,
                         FoundOrbits& found);
