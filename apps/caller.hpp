@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "graze/motion/run_events.hpp"
-#include "graze/motion/sample.hpp"
 #include "graze/record/stored/detail/record_file.hpp"
 
 namespace graze {

@@ -2,14 +2,13 @@
 #pragma once
 
 #include <fmt/format.h>
-
 #include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "graze/base/default_budget.hpp"
+#include "graze/base/defaults.hpp"
 #include "graze/report/picture/picture_request.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/scene.hpp"

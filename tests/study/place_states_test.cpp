@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "graze/assembly/assembly.hpp"
-#include "graze/orbit/search/detail/clear_state.hpp"
 #include "graze/orbit/search/detail/random_start.hpp"
 #include "graze/scene/reader.hpp"
 #include "graze/study/sweep/detail/followed_motion.hpp"

@@ -1,7 +1,6 @@
 #include "graze/fit/detail/fit_model.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -9,7 +8,7 @@
 
 #include "graze/assembly/initial_state.hpp"
 #include "graze/assembly/probes.hpp"
-#include "graze/base/default_budget.hpp"
+#include "graze/base/defaults.hpp"
 #include "graze/motion/simulation.hpp"
 #include "graze/scene/check.hpp"
 #include "graze/scene/detail/start_coordinate.hpp"

@@ -1,7 +1,13 @@
-// The events of a run, single and in total.
+// What a run reports: its events, single and in total, and its samples.
 #pragma once
 
+#include <cmath>
+#include <functional>
 #include <optional>
+#include <vector>
+
+#include "graze/motion/energy_balance.hpp"
+#include "graze/system/system.hpp"
 
 namespace graze {
 
@@ -47,6 +53,28 @@ struct RunTotals {
   // stops.
   std::optional<double> smallest_gap;
   double penetration = 0.0;  // of rigid stops, m: at most rounding
+};
+
+struct Sample {
+  double time = 0.0;  // s
+  State state;
+  std::vector<double> forces;           // contact force at every stop, N; 0 where it is open
+  std::optional<EnergyBalance> energy;  // up to this instant, when the run keeps the balance
+};
+
+// How many samples of a rate (1/s), counted from t = 0, come before a time (s).
+inline long long samples_before(double time, double rate) {
+  constexpr double kMost = 0x1p62;  // that can be counted
+  return static_cast<long long>(std::fmin(std::ceil(time * rate), kMost));
+}
+
+// Callbacks that a run calls as it goes; an empty function is never called and costs nothing.
+struct RunListeners {
+  std::function<void(const Event&)> event;
+  std::function<void(const Sample&)> sample;
+  double sample_rate = 0.0;                       // 1/s, with `sample`
+  double sample_from = 0.0;                       // s, of the first sample at the earliest
+  std::function<void(double fraction)> progress;  // once per forcing period
 };
 
 }  // namespace graze

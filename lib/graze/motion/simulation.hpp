@@ -5,15 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "graze/base/default_budget.hpp"
-#include "graze/base/default_tolerance.hpp"
+#include "graze/base/defaults.hpp"
 #include "graze/base/stop_signal.hpp"
 #include "graze/flow/exact/motion_state.hpp"
 #include "graze/flow/stepped/step_setting.hpp"
 #include "graze/motion/amplitudes.hpp"
-#include "graze/motion/chatter_tail.hpp"
 #include "graze/motion/run_events.hpp"
-#include "graze/motion/run_listeners.hpp"
 #include "graze/motion/spring_contact.hpp"
 
 namespace graze {

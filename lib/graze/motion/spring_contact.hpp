@@ -1,7 +1,10 @@
-// State of the contacts at compliant stops while they last.
+// What lasts from event to event: contacts at compliant stops, the tail of a chatter.
 #pragma once
 
+#include <algorithm>
 #include <vector>
+
+#include "graze/flow/exact/instant.hpp"
 
 namespace graze {
 
@@ -26,5 +29,13 @@ using SpringContacts = std::vector<SpringContact>;
 // Follows the contacts along the last arc of the phase, s. Returns the largest depth of a spring
 // meanwhile, m; 0 where none was compressed.
 double follow(SpringContacts& contacts, const ContactPhase<double>& phase, double flight);
+
+// The tail of a chatter that was summed: the motion is at rest on its stops from the instant of the
+// summation, but events report this only when the tail is over.
+struct ChatterTail {
+  std::vector<int> stops;  // ascending
+  Instant<double> over;
+  bool holds(int stop) const { return std::binary_search(stops.begin(), stops.end(), stop); }
+};
 
 }  // namespace graze

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "graze/base/default_budget.hpp"
+#include "graze/base/defaults.hpp"
 #include "graze/base/stop_signal.hpp"
 #include "graze/system/system.hpp"
 

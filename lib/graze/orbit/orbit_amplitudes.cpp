@@ -1,7 +1,7 @@
 #include "graze/orbit/orbit_amplitudes.hpp"
 
 #include "graze/motion/detail/amplitude_meter.hpp"
-#include "graze/orbit/detail/orbit_flights.hpp"
+#include "graze/orbit/detail/orbit_curve.hpp"
 
 namespace graze {
 

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "graze/base/angle.hpp"
-#include "graze/orbit/detail/orbit_flights.hpp"
+#include "graze/flow/held/detail/exact_phase.hpp"
+#include "graze/orbit/problem/detail/shooting.hpp"
 
 namespace graze {
 namespace {
@@ -58,6 +59,76 @@ std::vector<std::vector<CurveSample>> orbit_curve(const System& system, const Or
   };
   const std::vector<bool> begins_at_impact = fly_orbit(system, orbit, listeners);
   return from_impact_to_impact(flights, begins_at_impact, kTurn * orbit.period);
+}
+
+namespace {
+
+bool begins_at_impact(const TrajectorySegment& segment, const Instant<double>& at) {
+  const auto there = [&at](const Instant<double>& impact) {
+    return impact.period == at.period && impact.local == at.local;
+  };
+  return std::any_of(segment.impacts.begin(), segment.impacts.end(),
+                     [&](const SegmentImpact& impact) { return there(impact.at); }) ||
+         std::any_of(segment.contacts.begin(), segment.contacts.end(),
+                     [&](const SegmentContact& c) { return !c.from_start && there(c.from); });
+}
+
+std::vector<bool> fly_segments(const System& system, const Orbit& orbit,
+                               const OrbitListeners& listeners) {
+  const OrbitSection& section = *orbit.section;
+  const long long periods = orbit.period / static_cast<long long>(section.states.size());
+  const double frequency = system.forcing()->frequency;
+  double theta = section.at.phase + kTurn * section.at.period_index;
+  std::vector<Instant<double>> starts;
+  SegmentOptions options;
+  options.closure_speed = section.closure_speed;
+  options.flight = [&](const ContactPhase<double>& phase, const Instant<double>& at,
+                       double seconds) {
+    starts.push_back(at);
+    listeners.flight(phase, theta, seconds);
+    theta += frequency * seconds;
+  };
+  options.impact = listeners.impact;
+  options.closure = listeners.closure;
+  std::vector<bool> begins;
+  for (const MotionState<double>& state : section.states) {
+    starts.clear();
+    const TrajectorySegment segment =
+        pass(system, state, {state.instant.period + periods, state.instant.local}, options);
+    for (const Instant<double>& at : starts) begins.push_back(begins_at_impact(segment, at));
+  }
+  return begins;
+}
+
+}  // namespace
+
+std::vector<bool> fly_orbit(const System& system, const Orbit& orbit,
+                            const OrbitListeners& listeners) {
+  FreePhase<double> phase(system, {});
+  if (!orbit.meets_stops() && orbit.section) {
+    // The free motion alone, in closed form: a stop that it touches does not change it.
+    const OrbitSection& section = *orbit.section;
+    const MotionState<double>& start = section.states.front();
+    phase.start(section.at.phase, start.q, start.qdot, 0.0);
+    listeners.flight(phase, section.at.phase, orbit.period * system.period());
+    return {false};
+  }
+  if (orbit.section) return fly_segments(system, orbit, listeners);
+  const std::vector<ImpactPoint> points = orbit.points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double next =
+        i + 1 < points.size() ? points[i + 1].theta : points.front().theta + kTurn * orbit.period;
+    const OrbitImpact& impact = orbit.impacts[i];
+    const Stop& stop = system.stops[static_cast<std::size_t>(impact.stop)];
+    if (listeners.impact)
+      listeners.impact(
+          {{impact.stop, impact.speed, 0.0, stop.restitution().jump(impact.speed), true}});
+    const State after = after_impact(stop, points[i].before);
+    phase.start(points[i].theta, after.q, after.qdot, 0.0);
+    listeners.flight(phase, points[i].theta,
+                     (next - points[i].theta) / system.forcing()->frequency);
+  }
+  return std::vector<bool>(points.size(), true);
 }
 
 }  // namespace graze

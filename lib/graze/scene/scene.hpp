@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "graze/base/angle.hpp"
-#include "graze/base/default_tolerance.hpp"
+#include "graze/base/defaults.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/base/units.hpp"
 #include "graze/contact/contact_force.hpp"

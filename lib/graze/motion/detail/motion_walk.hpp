@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "graze/motion/chatter_tail.hpp"
 #include "graze/motion/detail/motion.hpp"
+#include "graze/motion/spring_contact.hpp"
 
 namespace graze {
 

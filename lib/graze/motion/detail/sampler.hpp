@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "graze/motion/detail/motion.hpp"
-#include "graze/motion/run_listeners.hpp"
+#include "graze/motion/run_events.hpp"
 
 namespace graze {
 

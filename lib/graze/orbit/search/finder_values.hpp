@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "graze/base/default_budget.hpp"
+#include "graze/base/defaults.hpp"
 #include "graze/base/stop_signal.hpp"
 #include "graze/orbit/problem/orbit.hpp"
 

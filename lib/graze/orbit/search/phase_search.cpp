@@ -2,7 +2,6 @@
 
 #include <ceres/tiny_solver.h>
 #include <nlopt.h>
-
 #include <algorithm>
 #include <boost/random/sobol.hpp>
 #include <cmath>
@@ -17,7 +16,6 @@
 #include "graze/orbit/closed_form/detail/phase_problem.hpp"
 #include "graze/orbit/problem/orbit_identity.hpp"
 #include "graze/orbit/search/detail/phase_deflation.hpp"
-#include "graze/orbit/search/detail/phase_search_options.hpp"
 
 namespace graze {
 namespace {

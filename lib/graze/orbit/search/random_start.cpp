@@ -6,7 +6,7 @@
 
 #include "graze/orbit/closed_form/detail/periodic_response.hpp"
 #include "graze/orbit/problem/detail/shooting.hpp"
-#include "graze/orbit/search/detail/clear_state.hpp"
+#include "graze/system/detail/gap_value.hpp"
 
 namespace graze {
 namespace {
@@ -59,6 +59,21 @@ State random_start(const System& system, std::uint64_t seed, std::uint64_t draw)
   for (double& coordinate : coordinates)
     coordinate = static_cast<double>(engine() >> 11) * 0x1p-52 - 1.0;
   return start_at(system, coordinates);
+}
+
+bool is_clear(const System& system, const State& state) {
+  return std::all_of(system.stops.begin(), system.stops.end(), [&](const Stop& stop) {
+    const GapValue<double> gap = gap_value<double>(stop.row, state.q, stop.gap);
+    return stop.is_compliant() || gap.value >= -gap.rounding;
+  });
+}
+
+bool bring_clear(const System& system, State& state) {
+  for (const Stop& stop : system.stops) {
+    const GapValue<double> gap = gap_value<double>(stop.row, state.q, stop.gap);
+    if (!stop.is_compliant() && gap.value < -gap.rounding) state.q += gap.value * stop.direction();
+  }
+  return is_clear(system, state);
 }
 
 }  // namespace graze

@@ -1,7 +1,6 @@
 #include "graze/orbit/search/detail/spread_starts.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <boost/random/sobol.hpp>
 #include <cmath>
@@ -13,7 +12,6 @@
 #include "graze/base/parallel.hpp"
 #include "graze/motion/simulation.hpp"
 #include "graze/orbit/problem/orbit_identity.hpp"
-#include "graze/orbit/search/detail/clear_state.hpp"
 #include "graze/orbit/search/detail/random_start.hpp"
 #include "graze/orbit/search/detail/solved_orbit.hpp"
 #include "graze/orbit/search/settled.hpp"

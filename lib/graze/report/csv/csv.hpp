@@ -10,7 +10,6 @@
 
 #include "graze/assembly/probes.hpp"
 #include "graze/motion/run_events.hpp"
-#include "graze/motion/sample.hpp"
 #include "graze/record/record_names.hpp"
 #include "graze/report/csv/result_table.hpp"
 

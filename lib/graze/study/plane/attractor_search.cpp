@@ -1,7 +1,6 @@
 #include "graze/study/plane/attractor_search.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,7 +8,6 @@
 #include "graze/orbit/closed_form/closed_form.hpp"
 #include "graze/orbit/closed_form/detail/periodic_response.hpp"
 #include "graze/orbit/problem/orbit_identity.hpp"
-#include "graze/orbit/search/detail/clear_state.hpp"
 #include "graze/orbit/search/detail/random_start.hpp"
 #include "graze/orbit/search/detail/solved_orbit.hpp"
 #include "graze/orbit/search/finder.hpp"

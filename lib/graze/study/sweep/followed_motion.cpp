@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-#include "graze/orbit/search/detail/clear_state.hpp"
+#include "graze/orbit/search/detail/random_start.hpp"
 #include "graze/system/scale.hpp"
 
 namespace graze {

@@ -4,7 +4,7 @@
 
 #include "graze/assembly/initial_state.hpp"
 #include "graze/assembly/probes.hpp"
-#include "graze/orbit/search/detail/clear_state.hpp"
+#include "graze/orbit/search/detail/random_start.hpp"
 #include "graze/system/scale.hpp"
 
 namespace graze {

@@ -9,7 +9,7 @@
 #include "graze/base/detail/even_values.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/base/progress_counter.hpp"
-#include "graze/orbit/search/detail/clear_state.hpp"
+#include "graze/orbit/search/detail/random_start.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/study/sweep/detail/row_chains.hpp"
 #include "graze/system/scale.hpp"

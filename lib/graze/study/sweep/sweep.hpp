@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "graze/assembly/system_family.hpp"
-#include "graze/base/default_budget.hpp"
+#include "graze/base/defaults.hpp"
 #include "graze/bifurcation/problem/branch_options.hpp"
 #include "graze/study/sweep/settled_row.hpp"
 #include "graze/study/sweep/shared_work.hpp"

@@ -3,9 +3,23 @@
 #pragma once
 
 #include "graze/base/vector.hpp"
-#include "graze/flow/exact/detail/planar_number.hpp"
 
 namespace graze {
+
+// A complex number; std::complex promises nothing for extended scalars.
+template <class Real>
+struct PlanarNumber {
+  Real re = 0;
+  Real im = 0;
+
+  friend PlanarNumber operator*(const PlanarNumber& a, const PlanarNumber& b) {
+    return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+  }
+  friend PlanarNumber operator/(const PlanarNumber& a, const PlanarNumber& b) {
+    const Real norm = b.re * b.re + b.im * b.im;
+    return {(a.re * b.re + a.im * b.im) / norm, (a.im * b.re - a.re * b.im) / norm};
+  }
+};
 
 // Writing motion as free part plus P_j multiplies rounding by |P_j| w^2/f_j, and by the rest
 // position under a load over the reach of the stops. Up to this factor (8 of 53 bits) that is

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "graze/base/default_budget.hpp"
+#include "graze/base/defaults.hpp"
 #include "graze/base/stop_signal.hpp"
 #include "graze/motion/detail/motion.hpp"
 #include "graze/orbit/problem/detail/carried_deviations.hpp"

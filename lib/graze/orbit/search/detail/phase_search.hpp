@@ -15,12 +15,27 @@
 #include <optional>
 #include <vector>
 
+#include "graze/base/stop_signal.hpp"
 #include "graze/orbit/closed_form/detail/phase_problem.hpp"
 #include "graze/orbit/problem/orbit.hpp"
 #include "graze/orbit/search/detail/phase_deflation.hpp"
-#include "graze/orbit/search/detail/phase_search_options.hpp"
 
 namespace graze {
+
+// How long and where the phases of impacts are searched for (phase_search.hpp).
+struct PhaseSearchOptions {
+  int starts = 64;  // of a round
+  int rounds = 8;   // at most
+  // Start only where every stop is approached. No solution is excluded, but a start is more likely
+  // to lead to an orbit: an orbit is surrounded by such points.
+  bool approaching = true;
+  int global_evaluations = 2048;
+  std::uint64_t seed = 1;  // moves the Sobol sequence
+  double length = 1.0;     // m, unit of the residual
+  double speed = 1.0;      // m/s, of the forced motion; r(v) is taken there at first
+  int threads = 0;         // 0: as many as there are cores
+  StopSignal stop;
+};
 
 // A solution of the phase problem: its impacts in time order from the smallest phase, which lies in
 // [0, 2 pi), the others within 2 pi p of it.

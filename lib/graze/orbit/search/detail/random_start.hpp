@@ -1,4 +1,4 @@
-// Start states of motions, spread over the range of the forced motion.
+// Start states of motions: spread over the range of the forced motion, clear of every rigid stop.
 #pragma once
 
 #include <cstdint>
@@ -19,5 +19,13 @@ State start_at(const System& system, std::span<const double> coordinates);
 // A random one of these, the same for the same numbers on every machine: number `draw` of the
 // series given by `seed`.
 State random_start(const System& system, std::uint64_t seed, std::uint64_t draw);
+
+// Whether no rigid stop is penetrated, within the rounding of the gap.
+bool is_clear(const System& system, const State& state);
+
+// Moves a state that penetrates stops back onto them, each along the direction of its impulse, the
+// shortest way in units of kinetic energy. False where stops that act on one another leave it
+// penetrating.
+bool bring_clear(const System& system, State& state);
 
 }  // namespace graze
