@@ -2,8 +2,8 @@
 #pragma once
 
 #include "command.hpp"
-#include "graze/bifurcation/trace/detail/shown_branches.hpp"
 #include "graze/bifurcation/trace/orbit_branches.hpp"
+#include "graze/bifurcation/trace/shown_branches.hpp"
 
 namespace graze {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "graze/motion/run_events.hpp"
-#include "graze/record/stored/detail/record_file.hpp"
+#include "graze/record/stored/record_file.hpp"
 
 namespace graze {
 

@@ -4,35 +4,18 @@
 #include <algorithm>
 
 #include "graze/assembly/assembly.hpp"
-#include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/assembly/initial_state.hpp"
-#include "graze/flow/detail/phase_choice.hpp"
+#include "graze/assembly/system_warnings.hpp"
+#include "graze/motion/simulation.hpp"
 #include "graze/record/records.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/parameter.hpp"
-#include "graze/study/cost/detail/step_choice.hpp"
+#include "graze/study/cost/step_choice.hpp"
 #include "session.hpp"
 
 namespace graze {
 namespace {
-
-// A motion held by a stop can grow without bound where the impulse law is oblique; a simulation
-// that comes to rest there ends.
-std::vector<std::string> unstable_stops(const System& system) {
-  std::vector<std::string> warnings;
-  // The other stops do not take part, and there may be many.
-  System alone = system;
-  for (std::size_t i = 0; i < system.stops.size(); ++i) {
-    if (system.stops[i].is_compliant()) continue;  // it gives way, and holds nothing
-    alone.stops.assign(1, system.stops[i]);
-    const std::string refusal = make_contact_phase<double>(alone, {{0}})->refusal();
-    if (!refusal.empty())
-      warnings.push_back(
-          fmt::format("motion held by stop {} cannot be followed: {}", i + 1, refusal));
-  }
-  return warnings;
-}
 
 // One in a line, its name first.
 void print_parameters(const Scene& scene) {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "graze/scene/detail/suggestion.hpp"
+#include "graze/scene/suggestion.hpp"
 #include "help_format.hpp"
 
 namespace graze {

@@ -8,8 +8,8 @@
 
 #include "command.hpp"
 #include "command_line.hpp"
-#include "graze/base/detail/terminal_text.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/base/terminal_text.hpp"
 #include "graze/record/file/run_info.hpp"
 #include "help_format.hpp"
 #include "session.hpp"

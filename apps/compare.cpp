@@ -5,14 +5,14 @@
 #include <cstdio>
 
 #include "graze/assembly/assembly.hpp"
-#include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/assembly/initial_state.hpp"
+#include "graze/assembly/system_warnings.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/base/parallel.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
-#include "graze/scene/detail/start_coordinate.hpp"
-#include "graze/study/cost/detail/step_choice.hpp"
+#include "graze/scene/start_coordinate.hpp"
+#include "graze/study/cost/step_choice.hpp"
 #include "journals.hpp"
 #include "option_notes.hpp"
 #include "session.hpp"

@@ -3,12 +3,12 @@
 #include <functional>
 
 #include "graze/assembly/assembly.hpp"
-#include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/assembly/initial_state.hpp"
-#include "graze/record/detail/study_records.hpp"
+#include "graze/assembly/system_warnings.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
-#include "graze/study/cost/detail/step_choice.hpp"
+#include "graze/study/cost/step_choice.hpp"
 #include "graze/system/scale.hpp"
 #include "option_notes.hpp"
 #include "session.hpp"

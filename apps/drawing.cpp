@@ -4,7 +4,7 @@
 
 #include "graze/assembly/beam_shape.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/record/detail/study_records.hpp"
+#include "graze/record/study_records.hpp"
 
 namespace graze {
 namespace {

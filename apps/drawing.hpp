@@ -6,7 +6,7 @@
 
 #include "command.hpp"
 #include "graze/record/record_names.hpp"
-#include "graze/record/stored/detail/record_file.hpp"
+#include "graze/record/stored/record_file.hpp"
 #include "graze/report/chart/charts.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/page/detail/page_tables.hpp"

@@ -5,9 +5,9 @@
 #include <cstdio>
 
 #include "graze/base/errors.hpp"
-#include "graze/record/detail/share_record.hpp"
+#include "graze/record/share_record.hpp"
 #include "graze/report/json/json.hpp"
-#include "graze/report/text/detail/shell_word.hpp"
+#include "graze/report/text/shell_word.hpp"
 #include "graze/report/text/text.hpp"
 #include "session.hpp"
 

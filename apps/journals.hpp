@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "command.hpp"
-#include "graze/record/file/detail/journal.hpp"
+#include "graze/record/file/journal.hpp"
 #include "session.hpp"
 
 namespace graze {

@@ -3,7 +3,7 @@
 
 #include "graze/assembly/mode_table.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/record/detail/study_records.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/report/vtu/vtu.hpp"
 #include "graze/scene/reader.hpp"
 #include "session.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "graze/scene/detail/value_checker.hpp"
+#include "graze/scene/value_checker.hpp"
 
 namespace graze {
 namespace {

@@ -9,9 +9,9 @@
 #include <string>
 #include <variant>
 
-#include "graze/base/detail/stop_scope.hpp"
-#include "graze/base/detail/terminal_text.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/base/stop_scope.hpp"
+#include "graze/base/terminal_text.hpp"
 #include "session.hpp"
 
 namespace graze {

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "graze/base/errors.hpp"
-#include "graze/bifurcation/loci/detail/restart.hpp"
-#include "graze/record/stored/detail/record_file.hpp"
-#include "graze/scene/detail/difference.hpp"
+#include "graze/bifurcation/loci/restart.hpp"
+#include "graze/record/stored/record_file.hpp"
+#include "graze/scene/difference.hpp"
 #include "graze/scene/parameter.hpp"
 #include "run_folder.hpp"
 

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "graze/base/errors.hpp"
-#include "graze/record/stored/detail/record_file.hpp"
-#include "graze/report/text/detail/shell_word.hpp"
+#include "graze/record/stored/record_file.hpp"
+#include "graze/report/text/shell_word.hpp"
 #include "run_folder.hpp"
 
 namespace graze {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "command.hpp"
-#include "graze/record/file/detail/files.hpp"
-#include "graze/record/file/detail/numpy_archive.hpp"
+#include "graze/record/file/files.hpp"
+#include "graze/record/file/numpy_archive.hpp"
 #include "graze/record/file/spool.hpp"
 #include "graze/record/records.hpp"
 

@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "graze/assembly/assembly.hpp"
-#include "graze/assembly/detail/system_warnings.hpp"
+#include "graze/assembly/system_warnings.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/record/detail/study_records.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/parameter.hpp"

@@ -11,9 +11,9 @@
 #include <optional>
 #include <thread>
 
-#include "graze/base/detail/terminal_text.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/record/file/detail/checksum.hpp"
+#include "graze/base/terminal_text.hpp"
+#include "graze/record/file/checksum.hpp"
 #include "graze/record/file/spool.hpp"
 #include "graze/scene/reader.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "graze/record/stored/detail/record_file.hpp"
+#include "graze/record/stored/record_file.hpp"
 
 namespace graze {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "command.hpp"
-#include "graze/base/detail/even_values.hpp"
+#include "graze/base/even_values.hpp"
 #include "graze/orbit/search/finder.hpp"
-#include "graze/study/plane/detail/plane.hpp"
-#include "graze/study/sweep/detail/run_series.hpp"
+#include "graze/study/plane/plane.hpp"
+#include "graze/study/sweep/run_series.hpp"
 #include "graze/study/sweep/settled_row.hpp"
 #include "session.hpp"
 

@@ -8,8 +8,8 @@
 #include <variant>
 
 #include "graze/base/errors.hpp"
-#include "graze/study/ranks/detail/first_rank.hpp"
-#include "graze/study/ranks/detail/other_rank.hpp"
+#include "graze/study/ranks/first_rank.hpp"
+#include "graze/study/ranks/other_rank.hpp"
 #include "mpi_messages.hpp"
 #include "program.hpp"
 #include "session.hpp"

@@ -6,7 +6,7 @@
 #include <list>
 #include <mutex>
 
-#include "graze/study/ranks/detail/rank_messages.hpp"
+#include "graze/study/ranks/rank_messages.hpp"
 
 namespace graze {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "graze/record/detail/study_records.hpp"
 #include "graze/record/names/detail/comparison_names.hpp"
+#include "graze/record/study_records.hpp"
 #include "options/picture.hpp"
 #include "options/search.hpp"
 #include "options/work.hpp"

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "graze/record/detail/study_records.hpp"
 #include "graze/record/names/detail/map_names.hpp"
 #include "graze/record/names/detail/sweep_names.hpp"
 #include "graze/record/section.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/study/sweep/sweep.hpp"
 #include "options/picture.hpp"
 #include "options/search.hpp"

@@ -2,7 +2,7 @@
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
-#include "graze/record/file/detail/files.hpp"
+#include "graze/record/file/files.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
 

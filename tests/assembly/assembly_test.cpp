@@ -1,7 +1,7 @@
 // The assembled system: its numbers by hand, its start, its warnings.
 #include "graze/assembly/assembly.hpp"
-#include "graze/assembly/detail/system_warnings.hpp"
 #include "graze/assembly/initial_state.hpp"
+#include "graze/assembly/system_warnings.hpp"
 #include "graze/system/system.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // Computations end once their time is over, and say that less is known.
-#include "graze/base/detail/stop_scope.hpp"
+#include "graze/base/stop_scope.hpp"
 
 #include <gtest/gtest.h>
 

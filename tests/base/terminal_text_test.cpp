@@ -1,4 +1,4 @@
-#include "graze/base/detail/terminal_text.hpp"
+#include "graze/base/terminal_text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -19,7 +19,7 @@
 #include "graze/assembly/initial_state.hpp"
 #include "graze/motion/simulation.hpp"
 #include "graze/scene/reader.hpp"
-#include "graze/study/cost/detail/step_choice.hpp"
+#include "graze/study/cost/step_choice.hpp"
 
 namespace graze {
 namespace {

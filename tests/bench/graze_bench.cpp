@@ -9,7 +9,7 @@
 #include "graze/orbit/closed_form/closed_form.hpp"
 #include "graze/orbit/search/finder.hpp"
 #include "graze/scene/reader.hpp"
-#include "graze/study/cost/detail/step_choice.hpp"
+#include "graze/study/cost/step_choice.hpp"
 #include "graze/study/sweep/sweep.hpp"
 
 namespace graze {

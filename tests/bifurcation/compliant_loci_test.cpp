@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "branch_checks.hpp"
-#include "graze/bifurcation/loci/detail/restart.hpp"
 #include "graze/bifurcation/loci/orbit_loci.hpp"
+#include "graze/bifurcation/loci/restart.hpp"
 #include "graze/orbit/problem/detail/followed_orbit.hpp"
 #include "graze/orbit/search/finder.hpp"
 #include "graze/scene/parameter.hpp"

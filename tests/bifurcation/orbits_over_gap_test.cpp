@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "graze/assembly/assembly.hpp"
-#include "graze/bifurcation/bounds/detail/orbits_over_gap.hpp"
+#include "graze/bifurcation/bounds/orbits_over_gap.hpp"
 #include "graze/scene/reader.hpp"
 
 namespace graze {

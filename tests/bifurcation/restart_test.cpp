@@ -1,5 +1,5 @@
 // Special points as starts: what a branch or a locus is traced from again.
-#include "graze/bifurcation/loci/detail/restart.hpp"
+#include "graze/bifurcation/loci/restart.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/motion/simulation.hpp"
-#include "graze/study/cost/detail/step_choice.hpp"
+#include "graze/study/cost/step_choice.hpp"
 #include "support/reference.hpp"
 
 namespace graze {

@@ -1,7 +1,7 @@
 // S4: the order of Runge-Kutta steps across a contact. A body against an elastic spring: it leaves
 // as fast as it came, after pi sqrt(m/k) (linear) or 2.9432751843247 x_max/v (Hertz; Johnson,
 // Contact Mechanics, section 11.4), written down here and not taken from the program.
-#include "graze/study/compare/detail/contact_order.hpp"
+#include "graze/study/compare/contact_order.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "graze/assembly/assembly.hpp"
-#include "graze/assembly/detail/system_warnings.hpp"
+#include "graze/assembly/system_warnings.hpp"
 #include "graze/base/linalg/decompositions.hpp"
 #include "graze/flow/exact/detail/exact_flow.hpp"
 #include "graze/structure/detail/cantilever.hpp"

@@ -1,5 +1,5 @@
 // Stable orbits that only motions from other starts settle on.
-#include "graze/orbit/search/detail/spread_starts.hpp"
+#include "graze/orbit/search/spread_starts.hpp"
 
 #include <gtest/gtest.h>
 

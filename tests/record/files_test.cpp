@@ -1,4 +1,4 @@
-#include "graze/record/file/detail/files.hpp"
+#include "graze/record/file/files.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

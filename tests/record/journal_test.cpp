@@ -1,4 +1,4 @@
-#include "graze/record/file/detail/journal.hpp"
+#include "graze/record/file/journal.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What the reader of matrices finds in archives (libzip, which checks records and sums).
-#include "graze/record/file/detail/numpy_archive.hpp"
+#include "graze/record/file/numpy_archive.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "graze/record/file/detail/journal.hpp"
+#include "graze/record/file/journal.hpp"
 #include "graze/scene/reader.hpp"
 #include "graze/study/sweep/sweep.hpp"
 #include "support/rank_threads.hpp"

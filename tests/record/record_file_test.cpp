@@ -1,4 +1,4 @@
-#include "graze/record/stored/detail/record_text.hpp"
+#include "graze/record/stored/record_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,11 @@
 #include <set>
 
 #include "graze/base/errors.hpp"
-#include "graze/record/file/detail/checksum.hpp"
-#include "graze/record/file/detail/files.hpp"
+#include "graze/record/file/checksum.hpp"
 #include "graze/record/file/detail/members.hpp"
+#include "graze/record/file/files.hpp"
 #include "graze/record/stored/detail/record_fields.hpp"
-#include "graze/record/stored/detail/record_file.hpp"
+#include "graze/record/stored/record_file.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace graze {

@@ -10,7 +10,7 @@
 
 #include "apps/program.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/record/detail/study_records.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/report/chart/charts.hpp"
 #include "graze/report/chart/detail/motion_seen.hpp"
 #include "support/systems.hpp"

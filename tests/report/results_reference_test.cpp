@@ -13,8 +13,8 @@
 #include "graze/record/described/detail/descriptions.hpp"
 #include "graze/record/described/detail/result_visitor.hpp"
 #include "graze/record/described/detail/shared_parts.hpp"
-#include "graze/record/detail/share_record.hpp"
-#include "graze/record/detail/study_records.hpp"
+#include "graze/record/share_record.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/report/csv/csv.hpp"
 #include "support/systems.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "graze/scene/detail/difference.hpp"
+#include "graze/scene/difference.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "graze/scene/detail/difference.hpp"
+#include "graze/scene/difference.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
 

@@ -1,5 +1,5 @@
 // What modes, the summing of chatters and Newton's steps cost: errors, not times.
-#include "graze/study/cost/detail/accuracy_costs.hpp"
+#include "graze/study/cost/accuracy_costs.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Maps of what the motion settles on: basins against closed forms and single runs, planes of
 // parameters against sweeps.
-#include "graze/study/plane/detail/attractor_map.hpp"
+#include "graze/study/plane/attractor_map.hpp"
 
 #include <gtest/gtest.h>
 

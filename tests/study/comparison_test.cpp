@@ -6,7 +6,7 @@
 
 #include "graze/base/angle.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/study/compare/detail/comparison_map.hpp"
+#include "graze/study/compare/comparison_map.hpp"
 #include "support/reference.hpp"
 
 namespace graze {

@@ -1,5 +1,5 @@
 // What accuracy costs: the table, not the times in it.
-#include "graze/study/cost/detail/flow_cost.hpp"
+#include "graze/study/cost/flow_cost.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/motion/simulation.hpp"
-#include "graze/study/cost/detail/step_choice.hpp"
+#include "graze/study/cost/step_choice.hpp"
 #include "graze/system/scale.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"

@@ -8,8 +8,8 @@
 #include "graze/assembly/initial_state.hpp"
 #include "graze/motion/simulation.hpp"
 #include "graze/scene/reader.hpp"
-#include "graze/study/cost/detail/flow_cost.hpp"
-#include "graze/study/cost/detail/step_choice.hpp"
+#include "graze/study/cost/flow_cost.hpp"
+#include "graze/study/cost/step_choice.hpp"
 #include "support/reference.hpp"
 
 namespace graze {

@@ -6,9 +6,9 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/motion/simulation.hpp"
-#include "graze/study/cost/detail/flow_cost.hpp"
-#include "graze/study/cost/detail/step_choice.hpp"
 #include "graze/study/cost/detail/stepped_reference.hpp"
+#include "graze/study/cost/flow_cost.hpp"
+#include "graze/study/cost/step_choice.hpp"
 #include "support/hub_scene.hpp"
 
 namespace graze {

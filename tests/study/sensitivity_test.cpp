@@ -1,12 +1,12 @@
 // Sensitivities of probes against closed forms.
-#include "graze/study/compare/detail/sensitivity.hpp"
+#include "graze/study/compare/sensitivity.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "graze/base/detail/even_values.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/base/even_values.hpp"
 #include "graze/scene/reader.hpp"
 
 namespace graze {

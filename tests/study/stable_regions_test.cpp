@@ -17,7 +17,7 @@
 #include "graze/bifurcation/loci/orbit_loci.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
-#include "graze/study/plane/detail/region_boundaries.hpp"
+#include "graze/study/plane/region_boundaries.hpp"
 
 namespace graze {
 namespace {

@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include "graze/study/ranks/detail/first_rank.hpp"
-#include "graze/study/ranks/detail/other_rank.hpp"
+#include "graze/study/ranks/first_rank.hpp"
+#include "graze/study/ranks/other_rank.hpp"
 
 namespace graze {
 

@@ -1,4 +1,4 @@
-#include "graze/assembly/detail/system_warnings.hpp"
+#include "graze/assembly/system_warnings.hpp"
 
 #include <fmt/format.h>
 

@@ -10,7 +10,7 @@
 #include <mutex>
 #include <vector>
 
-#include "graze/base/detail/stop_scope.hpp"
+#include "graze/base/stop_scope.hpp"
 
 namespace graze {
 namespace {

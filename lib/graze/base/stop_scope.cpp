@@ -1,4 +1,4 @@
-#include "graze/base/detail/stop_scope.hpp"
+#include "graze/base/stop_scope.hpp"
 
 #include <condition_variable>
 #include <mutex>

@@ -11,8 +11,8 @@
 #include "graze/base/defaults.hpp"
 #include "graze/motion/simulation.hpp"
 #include "graze/scene/check.hpp"
-#include "graze/scene/detail/start_coordinate.hpp"
 #include "graze/scene/parameter.hpp"
+#include "graze/scene/start_coordinate.hpp"
 #include "graze/system/detail/gap_value.hpp"
 
 namespace graze {

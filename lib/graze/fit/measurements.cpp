@@ -10,7 +10,7 @@
 #include <set>
 
 #include "graze/assembly/probes.hpp"
-#include "graze/scene/detail/suggestion.hpp"
+#include "graze/scene/suggestion.hpp"
 
 namespace graze {
 namespace {

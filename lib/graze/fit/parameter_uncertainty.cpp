@@ -11,7 +11,7 @@
 #include <set>
 
 #include "graze/fit/detail/jacobian_factors.hpp"
-#include "graze/scene/detail/suggestion.hpp"
+#include "graze/scene/suggestion.hpp"
 
 namespace graze {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "graze/base/detail/stop_scope.hpp"
+#include "graze/base/stop_scope.hpp"
 #include "graze/flow/exact/detail/first_zero.hpp"
 
 namespace graze {

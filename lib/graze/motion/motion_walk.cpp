@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "graze/base/detail/stop_scope.hpp"
+#include "graze/base/stop_scope.hpp"
 #include "graze/flow/exact/extended.hpp"
 #include "graze/system/scale.hpp"
 

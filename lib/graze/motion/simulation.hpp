@@ -35,6 +35,10 @@ struct SimulationOptions {
 double default_closure_speed(const System& system, const State& start,
                              double tolerance = kDefaultTolerance);
 
+// A sentence for each rigid stop on which the structure cannot be held: under an oblique impulse
+// law the motion there can grow without bound, and a simulation that comes to rest there ends.
+std::vector<std::string> unstable_stops(const System& system);
+
 enum class RunOutcome {
   kReachedEnd,
   kEventBudget,

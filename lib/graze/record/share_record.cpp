@@ -1,4 +1,4 @@
-#include "graze/record/detail/share_record.hpp"
+#include "graze/record/share_record.hpp"
 
 namespace graze {
 

@@ -12,9 +12,9 @@
 #include "graze/scene/detail/range_check.hpp"
 #include "graze/scene/detail/section_numbers.hpp"
 #include "graze/scene/detail/span_checks.hpp"
-#include "graze/scene/detail/suggestion.hpp"
 #include "graze/scene/detail/table_checks.hpp"
-#include "graze/scene/detail/value_checker.hpp"
+#include "graze/scene/suggestion.hpp"
+#include "graze/scene/value_checker.hpp"
 
 namespace graze {
 namespace {

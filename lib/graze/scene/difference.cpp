@@ -1,4 +1,4 @@
-#include "graze/scene/detail/difference.hpp"
+#include "graze/scene/difference.hpp"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 
 #include "graze/scene/detail/node.hpp"
 #include "graze/scene/detail/schema.hpp"
-#include "graze/scene/detail/suggestion.hpp"
+#include "graze/scene/suggestion.hpp"
 
 namespace graze {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "graze/scene/detail/keys.hpp"
 #include "graze/scene/detail/schema.hpp"
-#include "graze/scene/detail/value_checker.hpp"
+#include "graze/scene/value_checker.hpp"
 
 namespace graze {
 namespace {

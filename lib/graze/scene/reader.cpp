@@ -7,11 +7,11 @@
 #include "graze/scene/detail/keys.hpp"
 #include "graze/scene/detail/schema.hpp"
 #include "graze/scene/detail/settings.hpp"
-#include "graze/scene/detail/suggestion.hpp"
 #include "graze/scene/detail/table_reader.hpp"
 #include "graze/scene/detail/text_file.hpp"
 #include "graze/scene/detail/torque_table.hpp"
 #include "graze/scene/matrix_structure.hpp"
+#include "graze/scene/suggestion.hpp"
 
 namespace graze {
 namespace {

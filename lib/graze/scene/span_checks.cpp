@@ -10,7 +10,7 @@
 #include "graze/scene/closed_modes.hpp"
 #include "graze/scene/detail/keys.hpp"
 #include "graze/scene/detail/section_numbers.hpp"
-#include "graze/scene/detail/value_checker.hpp"
+#include "graze/scene/value_checker.hpp"
 
 namespace graze {
 namespace {

@@ -1,4 +1,4 @@
-#include "graze/scene/detail/start_coordinate.hpp"
+#include "graze/scene/start_coordinate.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "graze/scene/detail/suggestion.hpp"
+#include "graze/scene/suggestion.hpp"
 
 #include <algorithm>
 #include <cctype>

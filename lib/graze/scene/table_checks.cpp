@@ -9,9 +9,9 @@
 
 #include "graze/scene/detail/keys.hpp"
 #include "graze/scene/detail/schema.hpp"
-#include "graze/scene/detail/suggestion.hpp"
 #include "graze/scene/detail/torque_table.hpp"
-#include "graze/scene/detail/value_checker.hpp"
+#include "graze/scene/suggestion.hpp"
+#include "graze/scene/value_checker.hpp"
 
 namespace graze {
 namespace {

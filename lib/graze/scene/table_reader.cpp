@@ -8,7 +8,7 @@
 #include "graze/fem/dof_label.hpp"
 #include "graze/scene/check.hpp"
 #include "graze/scene/detail/keys.hpp"
-#include "graze/scene/detail/suggestion.hpp"
+#include "graze/scene/suggestion.hpp"
 
 namespace graze {
 namespace {

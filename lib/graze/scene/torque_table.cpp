@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "graze/scene/data_table.hpp"
-#include "graze/scene/detail/suggestion.hpp"
 #include "graze/scene/detail/text_check.hpp"
 #include "graze/scene/detail/text_file.hpp"
+#include "graze/scene/suggestion.hpp"
 
 namespace graze {
 namespace {

@@ -1,4 +1,4 @@
-#include "graze/scene/detail/value_checker.hpp"
+#include "graze/scene/value_checker.hpp"
 
 #include <fmt/format.h>
 

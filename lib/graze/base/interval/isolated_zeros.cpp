@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "graze/base/detail/bracketed_zero.hpp"
-#include "graze/base/detail/stop_scope.hpp"
+#include "graze/base/stop_scope.hpp"
 
 namespace graze {
 namespace {

@@ -8,11 +8,11 @@
 #include <limits>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "graze/base/detail/stop_scope.hpp"
 #include "graze/base/linalg/detail/arithmetic.hpp"
 #include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/base/linalg/detail/linear_equations.hpp"
 #include "graze/base/linalg/detail/triangular_factors.hpp"
+#include "graze/base/stop_scope.hpp"
 
 namespace graze {
 namespace {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <utility>
 
-#include "graze/base/detail/stop_scope.hpp"
 #include "graze/base/linalg/detail/linear_equations.hpp"
 #include "graze/base/linalg/detail/products.hpp"
+#include "graze/base/stop_scope.hpp"
 
 namespace graze {
 namespace {

@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "graze/base/detail/scaled.hpp"
-#include "graze/base/detail/stop_scope.hpp"
 #include "graze/base/linalg/detail/arithmetic.hpp"
 #include "graze/base/linalg/detail/periodic_schur.hpp"
 #include "graze/base/linalg/detail/triangular_factors.hpp"
+#include "graze/base/stop_scope.hpp"
 
 namespace graze {
 namespace {

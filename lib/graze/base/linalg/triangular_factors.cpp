@@ -5,8 +5,8 @@
 #include <cstddef>
 
 #include "graze/base/detail/scaled.hpp"
-#include "graze/base/detail/stop_scope.hpp"
 #include "graze/base/linalg/detail/arithmetic.hpp"
+#include "graze/base/stop_scope.hpp"
 
 namespace graze {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "graze/base/detail/stop_scope.hpp"
+#include "graze/base/stop_scope.hpp"
 #include "graze/orbit/closed_form/closed_form.hpp"
 #include "graze/orbit/problem/orbit.hpp"
 

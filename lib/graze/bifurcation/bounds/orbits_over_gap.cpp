@@ -1,4 +1,4 @@
-#include "graze/bifurcation/bounds/detail/orbits_over_gap.hpp"
+#include "graze/bifurcation/bounds/orbits_over_gap.hpp"
 
 #include <fmt/format.h>
 

@@ -11,7 +11,7 @@
 #include "graze/bifurcation/loci/detail/grazing_places.hpp"
 
 #include "graze/bifurcation/loci/detail/locus_tracer.hpp"
-#include "graze/bifurcation/problem/detail/option_faults.hpp"
+#include "graze/bifurcation/problem/option_faults.hpp"
 #include "graze/scene/parameter.hpp"
 
 namespace graze {

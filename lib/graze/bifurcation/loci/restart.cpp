@@ -1,4 +1,4 @@
-#include "graze/bifurcation/loci/detail/restart.hpp"
+#include "graze/bifurcation/loci/restart.hpp"
 
 #include <algorithm>
 #include <iterator>

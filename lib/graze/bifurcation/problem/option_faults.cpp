@@ -1,4 +1,4 @@
-#include "graze/bifurcation/problem/detail/option_faults.hpp"
+#include "graze/bifurcation/problem/option_faults.hpp"
 
 #include <fmt/format.h>
 

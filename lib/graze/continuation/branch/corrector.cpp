@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "graze/base/detail/stop_scope.hpp"
 #include "graze/base/linalg/decompositions.hpp"
+#include "graze/base/stop_scope.hpp"
 
 namespace graze {
 namespace {

@@ -6,9 +6,9 @@
 #include <limits>
 #include <optional>
 
-#include "graze/base/detail/stop_scope.hpp"
 #include "graze/base/linalg/decompositions.hpp"
 #include "graze/base/linalg/detail/linear_equations.hpp"
+#include "graze/base/stop_scope.hpp"
 #include "graze/continuation/branch/detail/corrector.hpp"
 #include "graze/continuation/branch/detail/locate.hpp"
 #include "graze/continuation/special/detail/circle_crossings.hpp"

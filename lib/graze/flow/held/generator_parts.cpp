@@ -7,7 +7,7 @@
 #include <mutex>
 #include <string_view>
 
-#include "graze/base/detail/stop_scope.hpp"
+#include "graze/base/stop_scope.hpp"
 #include "graze/flow/held/detail/first_order.hpp"
 
 namespace graze {

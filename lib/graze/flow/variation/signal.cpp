@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "graze/base/detail/stop_scope.hpp"
 #include "graze/base/linalg/decompositions.hpp"
+#include "graze/base/stop_scope.hpp"
 
 namespace graze {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "graze/base/detail/stop_scope.hpp"
+#include "graze/base/stop_scope.hpp"
 #include "graze/flow/held/detail/contact_share.hpp"
 #include "graze/flow/stepped/detail/extrapolation.hpp"
 #include "graze/flow/stepped/detail/sprung_rates_turning_impl.hpp"

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "graze/base/detail/stop_scope.hpp"
 #include "graze/base/linalg/detail/dense_factors.hpp"
+#include "graze/base/stop_scope.hpp"
 #include "graze/contact/detail/complementarity.hpp"
 #include "graze/motion/detail/motion.hpp"
 #include "graze/system/detail/gap_value.hpp"

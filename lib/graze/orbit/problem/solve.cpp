@@ -9,7 +9,7 @@
 #include <mutex>
 #include <utility>
 
-#include "graze/base/detail/stop_scope.hpp"
+#include "graze/base/stop_scope.hpp"
 
 namespace graze {
 namespace {

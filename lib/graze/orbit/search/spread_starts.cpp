@@ -1,4 +1,4 @@
-#include "graze/orbit/search/detail/spread_starts.hpp"
+#include "graze/orbit/search/spread_starts.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "graze/record/described/detail/descriptions.hpp"
 #include "graze/record/described/detail/shared_parts.hpp"
-#include "graze/record/detail/study_records.hpp"
+#include "graze/record/study_records.hpp"
 
 namespace graze {
 namespace {

@@ -1,4 +1,4 @@
-#include "graze/record/detail/study_records.hpp"
+#include "graze/record/study_records.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -8,9 +8,9 @@
 #include "graze/assembly/probes.hpp"
 #include "graze/record/described/detail/descriptions.hpp"
 #include "graze/record/described/detail/shared_parts.hpp"
-#include "graze/record/detail/study_records.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/structure/modal_model.hpp"
-#include "graze/study/cost/detail/step_choice.hpp"
+#include "graze/study/cost/step_choice.hpp"
 #include "graze/system/detail/hub_state.hpp"
 
 namespace graze {

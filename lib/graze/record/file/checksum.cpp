@@ -1,4 +1,4 @@
-#include "graze/record/file/detail/checksum.hpp"
+#include "graze/record/file/checksum.hpp"
 
 #include <fmt/format.h>
 

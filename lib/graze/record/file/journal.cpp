@@ -1,4 +1,4 @@
-#include "graze/record/file/detail/journal.hpp"
+#include "graze/record/file/journal.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "graze/base/errors.hpp"
-#include "graze/record/file/detail/checksum.hpp"
+#include "graze/record/file/checksum.hpp"
 
 namespace graze {
 namespace {

@@ -1,4 +1,4 @@
-#include "graze/record/file/detail/journal_head.hpp"
+#include "graze/record/file/journal_head.hpp"
 
 #include <fmt/format.h>
 #include <sys/utsname.h>

@@ -1,7 +1,7 @@
 // The arrays are in version 1 of the .npy format (numpy.lib.format); they stand uncompressed, so
 // that the archive needs no more of the zip format (APPNOTE.TXT, 4.3) than its records, in their
 // 64-bit form: columns and archives may exceed 4 GiB.
-#include "graze/record/file/detail/numpy_archive.hpp"
+#include "graze/record/file/numpy_archive.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "graze/record/file/detail/piece_text.hpp"
+#include "graze/record/file/piece_text.hpp"
 
 #include "graze/record/file/detail/fields.hpp"
 

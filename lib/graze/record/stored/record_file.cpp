@@ -1,4 +1,4 @@
-#include "graze/record/stored/detail/record_file.hpp"
+#include "graze/record/stored/record_file.hpp"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/record/file/detail/checksum.hpp"
-#include "graze/record/file/detail/files.hpp"
+#include "graze/record/file/checksum.hpp"
+#include "graze/record/file/files.hpp"
 #include "graze/scene/reader.hpp"
 
 namespace graze {

@@ -1,7 +1,7 @@
-#include "graze/record/stored/detail/record_text.hpp"
+#include "graze/record/stored/record_text.hpp"
 
-#include "graze/record/detail/study_records.hpp"
 #include "graze/record/stored/detail/record_fields.hpp"
+#include "graze/record/study_records.hpp"
 
 namespace graze {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "graze/record/detail/study_records.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/report/chart/charts.hpp"
 
 namespace graze {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <map>
 
-#include "graze/record/detail/study_records.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/report/chart/charts.hpp"
 
 namespace graze {

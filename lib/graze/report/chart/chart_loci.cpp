@@ -4,8 +4,8 @@
 #include <limits>
 #include <map>
 
-#include "graze/record/detail/study_records.hpp"
 #include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/report/chart/charts.hpp"
 #include "graze/report/chart/detail/chart_looks.hpp"
 #include "graze/report/chart/detail/region_tints.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "graze/assembly/probes.hpp"
-#include "graze/record/detail/study_records.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/report/chart/charts.hpp"
 
 namespace graze {

@@ -8,9 +8,9 @@
 #include <iterator>
 
 #include "graze/record/described/detail/descriptions.hpp"
-#include "graze/record/detail/study_records.hpp"
 #include "graze/record/names/detail/kind_names.hpp"
 #include "graze/record/records.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/report/csv/detail/table_builder.hpp"
 #include "graze/system/detail/hub_state.hpp"
 

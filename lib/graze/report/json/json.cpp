@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "graze/record/described/detail/descriptions.hpp"
-#include "graze/record/detail/share_record.hpp"
-#include "graze/record/stored/detail/record_file.hpp"
+#include "graze/record/share_record.hpp"
+#include "graze/record/stored/record_file.hpp"
 #include "graze/report/json/detail/document_writer.hpp"
 #include "graze/report/json/detail/json_document.hpp"
 

@@ -1,6 +1,6 @@
 #include "graze/report/json/detail/json_document.hpp"
 
-#include "graze/base/detail/terminal_text.hpp"
+#include "graze/base/terminal_text.hpp"
 #include "graze/record/described/detail/shared_parts.hpp"
 #include "graze/report/json/detail/document_writer.hpp"
 

@@ -12,13 +12,13 @@
 #include <string_view>
 
 #include "graze/base/errors.hpp"
-#include "graze/record/file/detail/files.hpp"
+#include "graze/record/file/files.hpp"
 #include "graze/report/json/detail/json_page.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/page/detail/page_looks.hpp"
 #include "graze/report/page/detail/page_template.hpp"
 #include "graze/report/picture/pictures.hpp"
-#include "graze/report/text/detail/shell_word.hpp"
+#include "graze/report/text/shell_word.hpp"
 
 namespace graze {
 namespace {

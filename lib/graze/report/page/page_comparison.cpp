@@ -1,11 +1,11 @@
 #include <cmath>
 
-#include "graze/record/detail/study_records.hpp"
 #include "graze/record/names/detail/comparison_names.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/report/json/detail/json_page.hpp"
 #include "graze/report/page/detail/page.hpp"
 #include "graze/report/page/detail/page_plane.hpp"
-#include "graze/report/text/detail/shell_word.hpp"
+#include "graze/report/text/shell_word.hpp"
 
 namespace graze {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 
-#include "graze/record/detail/study_records.hpp"
 #include "graze/record/names/detail/kind_names.hpp"
 #include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/report/chart/detail/region_tints.hpp"
 #include "graze/report/json/detail/json_page.hpp"
 #include "graze/report/page/detail/page.hpp"

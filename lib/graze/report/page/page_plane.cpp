@@ -8,7 +8,7 @@
 
 #include "graze/report/chart/detail/chart_loci.hpp"
 #include "graze/report/json/detail/json_page.hpp"
-#include "graze/scene/detail/start_coordinate.hpp"
+#include "graze/scene/start_coordinate.hpp"
 
 namespace graze {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "graze/assembly/probes.hpp"
-#include "graze/record/detail/study_records.hpp"
 #include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/report/chart/axis.hpp"
 #include "graze/report/json/detail/json_page.hpp"
 

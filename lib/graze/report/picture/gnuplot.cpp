@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "graze/base/errors.hpp"
-#include "graze/record/file/detail/files.hpp"
-#include "graze/report/text/detail/shell_word.hpp"
+#include "graze/record/file/files.hpp"
+#include "graze/report/text/shell_word.hpp"
 
 // POSIX leaves this to the program, g++ has it declared already.
 extern char** environ;  // NOLINT(readability-redundant-declaration)

@@ -1,4 +1,4 @@
-#include "graze/report/text/detail/shell_word.hpp"
+#include "graze/report/text/shell_word.hpp"
 
 namespace graze {
 

@@ -6,13 +6,13 @@
 #include "graze/assembly/detail/spring_law.hpp"
 #include "graze/assembly/probes.hpp"
 #include "graze/base/angle.hpp"
-#include "graze/base/detail/terminal_text.hpp"
+#include "graze/base/terminal_text.hpp"
 #include "graze/record/records.hpp"
 #include "graze/report/text/detail/text_structure.hpp"
 #include "graze/report/text/detail/text_units.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/matrix_structure.hpp"
-#include "graze/study/cost/detail/step_choice.hpp"
+#include "graze/study/cost/step_choice.hpp"
 #include "graze/system/detail/hub_state.hpp"
 
 namespace graze {

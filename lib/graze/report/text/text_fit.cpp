@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "graze/record/detail/study_records.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/report/text/detail/number_text.hpp"
 #include "graze/report/text/detail/sentences.hpp"
 #include "graze/report/text/detail/table.hpp"
 #include "graze/report/text/text.hpp"
-#include "graze/scene/detail/suggestion.hpp"
+#include "graze/scene/suggestion.hpp"
 
 namespace graze {
 namespace {

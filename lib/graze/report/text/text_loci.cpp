@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "graze/bifurcation/loci/orbit_loci.hpp"
-#include "graze/record/detail/study_records.hpp"
 #include "graze/record/names/detail/kind_names.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/report/text/detail/number_text.hpp"
 #include "graze/report/text/detail/sentences.hpp"
 #include "graze/report/text/detail/table.hpp"

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "graze/base/angle.hpp"
-#include "graze/base/detail/terminal_text.hpp"
-#include "graze/record/detail/study_records.hpp"
+#include "graze/base/terminal_text.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/report/text/detail/text_units.hpp"
 #include "graze/report/text/text.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "graze/record/detail/study_records.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/report/text/detail/folding.hpp"
 #include "graze/report/text/detail/number_text.hpp"
 #include "graze/report/text/detail/table.hpp"

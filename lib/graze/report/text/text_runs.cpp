@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "graze/assembly/probes.hpp"
-#include "graze/record/detail/study_records.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/report/text/detail/sentences.hpp"
 #include "graze/report/text/detail/text_units.hpp"
 #include "graze/report/text/text.hpp"

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "graze/record/detail/share_record.hpp"
+#include "graze/record/share_record.hpp"
 #include "graze/report/text/detail/sentences.hpp"
 #include "graze/report/text/text.hpp"
 

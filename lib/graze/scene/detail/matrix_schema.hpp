@@ -1,7 +1,7 @@
 // The keys of a structure of matrices (schema.hpp), and of places on it.
 #pragma once
 
-#include "graze/scene/detail/key.hpp"
+#include "graze/scene/key.hpp"
 #include "graze/scene/scene.hpp"
 
 namespace graze {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "graze/scene/detail/choices.hpp"
-#include "graze/scene/detail/key.hpp"
 #include "graze/scene/detail/matrix_schema.hpp"
 #include "graze/scene/detail/structure_schema.hpp"
+#include "graze/scene/key.hpp"
 #include "graze/scene/scene.hpp"
 
 namespace graze {

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "graze/scene/detail/choices.hpp"
-#include "graze/scene/detail/key.hpp"
 #include "graze/scene/detail/matrix_schema.hpp"
+#include "graze/scene/key.hpp"
 #include "graze/scene/scene.hpp"
 
 namespace graze {

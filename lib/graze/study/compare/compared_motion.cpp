@@ -1,4 +1,4 @@
-#include "graze/study/compare/detail/compared_motion.hpp"
+#include "graze/study/compare/compared_motion.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "graze/study/compare/detail/comparison_map.hpp"
+#include "graze/study/compare/comparison_map.hpp"
 
 #include <fmt/format.h>
 

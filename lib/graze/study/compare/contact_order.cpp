@@ -1,4 +1,4 @@
-#include "graze/study/compare/detail/contact_order.hpp"
+#include "graze/study/compare/contact_order.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "graze/study/compare/detail/sensitivity.hpp"
+#include "graze/study/compare/sensitivity.hpp"
 
 #include <limits>
 

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "graze/study/cost/detail/accuracy_costs.hpp"
-#include "graze/study/cost/detail/step_choice.hpp"
-#include "graze/study/cost/detail/timed_run.hpp"
+#include "graze/study/cost/accuracy_costs.hpp"
+#include "graze/study/cost/step_choice.hpp"
+#include "graze/study/cost/timed_run.hpp"
 #include "graze/system/scale.hpp"
 
 namespace graze {

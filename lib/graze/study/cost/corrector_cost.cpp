@@ -9,8 +9,8 @@
 #include "graze/base/linalg/detail/linear_equations.hpp"
 #include "graze/orbit/problem/detail/solve.hpp"
 #include "graze/orbit/search/finder.hpp"
-#include "graze/study/cost/detail/accuracy_costs.hpp"
-#include "graze/study/cost/detail/step_choice.hpp"
+#include "graze/study/cost/accuracy_costs.hpp"
+#include "graze/study/cost/step_choice.hpp"
 #include "graze/study/processor_time.hpp"
 
 namespace graze {

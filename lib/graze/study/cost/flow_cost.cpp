@@ -1,4 +1,4 @@
-#include "graze/study/cost/detail/flow_cost.hpp"
+#include "graze/study/cost/flow_cost.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "graze/motion/simulation.hpp"
-#include "graze/study/cost/detail/step_choice.hpp"
 #include "graze/study/cost/detail/stepped_reference.hpp"
+#include "graze/study/cost/step_choice.hpp"
 
 namespace graze {
 namespace {

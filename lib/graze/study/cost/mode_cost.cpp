@@ -6,8 +6,8 @@
 #include "graze/assembly/initial_state.hpp"
 #include "graze/motion/simulation.hpp"
 #include "graze/scene/check.hpp"
-#include "graze/study/cost/detail/accuracy_costs.hpp"
-#include "graze/study/cost/detail/timed_run.hpp"
+#include "graze/study/cost/accuracy_costs.hpp"
+#include "graze/study/cost/timed_run.hpp"
 
 namespace graze {
 namespace {

@@ -1,4 +1,4 @@
-#include "graze/study/cost/detail/reference_run.hpp"
+#include "graze/study/cost/reference_run.hpp"
 
 #include <algorithm>
 #include <cmath>

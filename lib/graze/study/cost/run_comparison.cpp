@@ -1,4 +1,4 @@
-#include "graze/study/cost/detail/run_comparison.hpp"
+#include "graze/study/cost/run_comparison.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "graze/study/cost/detail/step_choice.hpp"
+#include "graze/study/cost/step_choice.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "graze/motion/simulation.hpp"
-#include "graze/study/cost/detail/step_choice.hpp"
+#include "graze/study/cost/step_choice.hpp"
 
 namespace graze {
 namespace {

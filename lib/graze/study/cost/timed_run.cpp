@@ -1,4 +1,4 @@
-#include "graze/study/cost/detail/timed_run.hpp"
+#include "graze/study/cost/timed_run.hpp"
 
 #include "graze/study/processor_time.hpp"
 

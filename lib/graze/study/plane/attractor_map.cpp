@@ -1,4 +1,4 @@
-#include "graze/study/plane/detail/attractor_map.hpp"
+#include "graze/study/plane/attractor_map.hpp"
 
 #include <algorithm>
 #include <map>
@@ -11,7 +11,7 @@
 #include "graze/base/errors.hpp"
 #include "graze/motion/simulation.hpp"
 #include "graze/orbit/problem/detail/shooting.hpp"
-#include "graze/scene/detail/start_coordinate.hpp"
+#include "graze/scene/start_coordinate.hpp"
 #include "graze/study/sweep/detail/row_chains.hpp"
 
 namespace graze {

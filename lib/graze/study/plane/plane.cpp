@@ -1,9 +1,9 @@
-#include "graze/study/plane/detail/plane.hpp"
+#include "graze/study/plane/plane.hpp"
 
-#include "graze/base/detail/even_values.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/scene/detail/start_coordinate.hpp"
+#include "graze/base/even_values.hpp"
 #include "graze/scene/parameter.hpp"
+#include "graze/scene/start_coordinate.hpp"
 
 namespace graze {
 

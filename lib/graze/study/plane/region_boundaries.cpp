@@ -1,4 +1,4 @@
-#include "graze/study/plane/detail/region_boundaries.hpp"
+#include "graze/study/plane/region_boundaries.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "graze/study/ranks/detail/first_rank.hpp"
+#include "graze/study/ranks/first_rank.hpp"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <thread>
 #include <utility>
 
-#include "graze/base/detail/stop_scope.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/base/parallel.hpp"
-#include "graze/study/ranks/detail/listener.hpp"
+#include "graze/base/stop_scope.hpp"
+#include "graze/study/ranks/listener.hpp"
 
 namespace graze {
 

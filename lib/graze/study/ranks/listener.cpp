@@ -1,4 +1,4 @@
-#include "graze/study/ranks/detail/listener.hpp"
+#include "graze/study/ranks/listener.hpp"
 
 #include <algorithm>
 #include <chrono>

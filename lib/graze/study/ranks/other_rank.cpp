@@ -1,4 +1,4 @@
-#include "graze/study/ranks/detail/other_rank.hpp"
+#include "graze/study/ranks/other_rank.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,4 +1,4 @@
-#include "graze/study/ranks/detail/rank_messages.hpp"
+#include "graze/study/ranks/rank_messages.hpp"
 
 #include <cstring>
 

@@ -4,8 +4,8 @@
 #include <atomic>
 #include <utility>
 
-#include "graze/base/detail/stop_scope.hpp"
 #include "graze/base/parallel.hpp"
+#include "graze/base/stop_scope.hpp"
 
 namespace graze {
 namespace {

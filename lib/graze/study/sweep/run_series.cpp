@@ -1,4 +1,4 @@
-#include "graze/study/sweep/detail/run_series.hpp"
+#include "graze/study/sweep/run_series.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,8 @@
 #include "graze/assembly/initial_state.hpp"
 #include "graze/assembly/probes.hpp"
 #include "graze/base/angle.hpp"
-#include "graze/scene/detail/start_coordinate.hpp"
-#include "graze/study/cost/detail/step_choice.hpp"
+#include "graze/scene/start_coordinate.hpp"
+#include "graze/study/cost/step_choice.hpp"
 
 namespace graze {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
-#include "graze/base/detail/even_values.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/base/even_values.hpp"
 #include "graze/base/progress_counter.hpp"
 #include "graze/orbit/search/detail/random_start.hpp"
 #include "graze/scene/parameter.hpp"

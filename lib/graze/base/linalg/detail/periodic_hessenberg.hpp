@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "graze/base/detail/stop_scope.hpp"
+#include "graze/base/stop_scope.hpp"
 #include "graze/base/vector.hpp"
 
 namespace graze {

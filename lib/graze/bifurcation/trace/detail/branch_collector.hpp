@@ -10,8 +10,8 @@
 
 #include "graze/bifurcation/trace/detail/found_branches.hpp"
 #include "graze/bifurcation/trace/detail/orbit_problems.hpp"
-#include "graze/bifurcation/trace/detail/shown_branches.hpp"
 #include "graze/bifurcation/trace/orbit_branches_values.hpp"
+#include "graze/bifurcation/trace/shown_branches.hpp"
 #include "graze/continuation/branch/detail/known_branch.hpp"
 
 namespace graze {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "graze/bifurcation/trace/detail/branch_pieces.hpp"
-#include "graze/bifurcation/trace/detail/shown_branches.hpp"
+#include "graze/bifurcation/trace/shown_branches.hpp"
 
 namespace graze {
 

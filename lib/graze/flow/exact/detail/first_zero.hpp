@@ -14,7 +14,7 @@
 #include <cmath>
 #include <limits>
 
-#include "graze/base/detail/stop_scope.hpp"
+#include "graze/base/stop_scope.hpp"
 #include "graze/base/stop_signal.hpp"
 #include "graze/flow/exact/detail/arc_curve.hpp"
 

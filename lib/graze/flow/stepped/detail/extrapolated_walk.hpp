@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "graze/base/detail/stop_scope.hpp"
+#include "graze/base/stop_scope.hpp"
 #include "graze/flow/stepped/detail/extrapolation.hpp"
 #include "graze/flow/stepped/detail/step_walk.hpp"
 

@@ -14,7 +14,7 @@
 
 #include "graze/base/angle.hpp"
 #include "graze/base/detail/bracketed_zero.hpp"
-#include "graze/base/detail/stop_scope.hpp"
+#include "graze/base/stop_scope.hpp"
 #include "graze/flow/stepped/detail/sprung_rates_changed_impl.hpp"
 #include "graze/flow/stepped/detail/sprung_rates_turning_impl.hpp"
 #include "graze/flow/stepped/detail/step_methods.hpp"

@@ -8,7 +8,7 @@
 #include "graze/motion/amplitudes.hpp"
 #include "graze/record/described/detail/result_visitor.hpp"
 #include "graze/record/records.hpp"
-#include "graze/study/plane/detail/plane.hpp"
+#include "graze/study/plane/plane.hpp"
 
 namespace graze {
 

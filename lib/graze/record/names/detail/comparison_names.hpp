@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "graze/record/detail/study_records.hpp"
+#include "graze/record/study_records.hpp"
 
 namespace graze {
 

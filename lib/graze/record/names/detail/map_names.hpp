@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "graze/record/detail/study_records.hpp"
+#include "graze/record/study_records.hpp"
 
 namespace graze {
 

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "graze/record/detail/study_records.hpp"
 #include "graze/record/file/detail/fields.hpp"
 #include "graze/record/records.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/scene/reader.hpp"
 
 namespace graze {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "graze/record/detail/study_records.hpp"
+#include "graze/record/study_records.hpp"
 
 namespace graze {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "graze/report/chart/chart.hpp"
-#include "graze/study/plane/detail/plane.hpp"
+#include "graze/study/plane/plane.hpp"
 
 namespace graze {
 

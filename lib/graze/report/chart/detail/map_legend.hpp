@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "graze/record/detail/study_records.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/report/appearance/looks.hpp"
 #include "graze/report/chart/detail/chart_cells.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "graze/record/detail/study_records.hpp"
+#include "graze/record/study_records.hpp"
 #include "graze/report/chart/axis.hpp"
 
 namespace graze {

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "graze/record/detail/study_records.hpp"
 #include "graze/record/record_names.hpp"
+#include "graze/record/study_records.hpp"
 
 namespace graze {
 

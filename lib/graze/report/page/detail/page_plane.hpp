@@ -9,7 +9,7 @@
 #include "graze/report/chart/detail/map_legend.hpp"
 #include "graze/report/json/detail/json_value.hpp"
 #include "graze/scene/scene.hpp"
-#include "graze/study/plane/detail/plane.hpp"
+#include "graze/study/plane/plane.hpp"
 
 namespace graze {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "graze/study/plane/detail/plane.hpp"
+#include "graze/study/plane/plane.hpp"
 
 namespace graze {
 

@@ -3,7 +3,7 @@
 // agree.
 #pragma once
 
-#include "graze/study/cost/detail/reference_run.hpp"
+#include "graze/study/cost/reference_run.hpp"
 
 namespace graze {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "graze/study/sweep/detail/run_series.hpp"
+#include "graze/study/sweep/run_series.hpp"
 
 namespace graze {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "graze/base/stop_signal.hpp"
-#include "graze/study/cost/detail/run_comparison.hpp"
-#include "graze/study/cost/detail/timed_run.hpp"
+#include "graze/study/cost/run_comparison.hpp"
+#include "graze/study/cost/timed_run.hpp"
 
 namespace graze {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "graze/scene/scene.hpp"
-#include "graze/study/plane/detail/plane.hpp"
+#include "graze/study/plane/plane.hpp"
 #include "graze/study/sweep/settled_row.hpp"
 #include "graze/study/sweep/shared_work.hpp"
 

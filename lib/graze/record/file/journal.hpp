@@ -13,8 +13,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "graze/record/file/detail/journal_head.hpp"
-#include "graze/record/file/detail/piece_text.hpp"
+#include "graze/record/file/journal_head.hpp"
+#include "graze/record/file/piece_text.hpp"
 #include "graze/study/sweep/shared_work.hpp"
 
 namespace graze {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "graze/record/file/detail/files.hpp"
+#include "graze/record/file/files.hpp"
 #include "graze/record/file/spool.hpp"
 
 namespace graze {

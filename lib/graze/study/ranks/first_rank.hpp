@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "graze/study/ranks/detail/rank_messages.hpp"
+#include "graze/study/ranks/rank_messages.hpp"
 #include "graze/study/sweep/block_workers.hpp"
 
 namespace graze {

@@ -9,9 +9,9 @@
 #include <mutex>
 #include <string>
 
-#include "graze/study/ranks/detail/first_rank.hpp"
-#include "graze/study/ranks/detail/listener.hpp"
-#include "graze/study/ranks/detail/rank_messages.hpp"
+#include "graze/study/ranks/first_rank.hpp"
+#include "graze/study/ranks/listener.hpp"
+#include "graze/study/ranks/rank_messages.hpp"
 #include "graze/study/sweep/block_workers.hpp"
 
 namespace graze {

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "graze/study/compare/detail/comparison_map.hpp"
-#include "graze/study/plane/detail/attractor_map.hpp"
-#include "graze/study/sweep/detail/run_series.hpp"
+#include "graze/study/compare/comparison_map.hpp"
+#include "graze/study/plane/attractor_map.hpp"
+#include "graze/study/sweep/run_series.hpp"
 #include "graze/study/sweep/settled_row.hpp"
 
 namespace graze {

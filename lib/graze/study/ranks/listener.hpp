@@ -5,7 +5,7 @@
 #include <functional>
 #include <thread>
 
-#include "graze/study/ranks/detail/rank_messages.hpp"
+#include "graze/study/ranks/rank_messages.hpp"
 
 namespace graze {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "graze/scene/scene.hpp"
-#include "graze/study/cost/detail/run_comparison.hpp"
+#include "graze/study/cost/run_comparison.hpp"
 
 namespace graze {
 

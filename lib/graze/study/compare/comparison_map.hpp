@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "graze/study/compare/detail/compared_motion.hpp"
-#include "graze/study/plane/detail/plane.hpp"
+#include "graze/study/compare/compared_motion.hpp"
+#include "graze/study/plane/plane.hpp"
 #include "graze/study/sweep/shared_work.hpp"
 
 namespace graze {

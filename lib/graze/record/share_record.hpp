@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "graze/record/file/detail/journal.hpp"
+#include "graze/record/file/journal.hpp"
 #include "graze/record/records.hpp"
 
 namespace graze {

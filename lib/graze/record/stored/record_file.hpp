@@ -6,10 +6,10 @@
 #include <string>
 #include <variant>
 
-#include "graze/record/detail/study_records.hpp"
 #include "graze/record/file/spool.hpp"
 #include "graze/record/records.hpp"
-#include "graze/record/stored/detail/record_text.hpp"
+#include "graze/record/stored/record_text.hpp"
+#include "graze/record/study_records.hpp"
 
 namespace graze {
 

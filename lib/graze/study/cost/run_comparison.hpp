@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "graze/motion/simulation.hpp"
-#include "graze/study/cost/detail/reference_run.hpp"
+#include "graze/study/cost/reference_run.hpp"
 
 namespace graze {
 

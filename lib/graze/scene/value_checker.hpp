@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "graze/scene/detail/key.hpp"
+#include "graze/scene/key.hpp"
 #include "graze/scene/scene.hpp"
 
 namespace graze {
