@@ -17,15 +17,15 @@ double lowest_value(const OrbitBranch& branch) {
 bool comes_before(const OrbitBranch& a, const OrbitBranch& b) {
   const ImpactPattern &pa = a.pattern, &pb = b.pattern;
   if (pa.period != pb.period) return pa.period < pb.period;
-  // Those that stick last.
+  // Branches that stick come last.
   if (pa.stops.empty() != pb.stops.empty()) return pb.stops.empty();
   if (pa.stops.size() != pb.stops.size()) return pa.stops.size() < pb.stops.size();
   if (pa.stops != pb.stops) return pa.stops < pb.stops;
   return lowest_value(a) < lowest_value(b);
 }
 
-// What is switched onto is connected to where it was switched from. Branches that were traced apart
-// may be parts of one component all the same.
+// A branch that was switched onto is connected to its origin. Branches that were traced separately
+// may be parts of one component nevertheless.
 std::pair<int, int> component_of(const std::vector<FoundBranch>& found, std::size_t index,
                                  const ConnectedSet& set_of) {
   while (found[index].origin_branch >= 0)

@@ -8,7 +8,7 @@
 
 namespace graze {
 
-// Where a special point of a branch leads.
+// What a special point of a branch leads to.
 struct SpecialContinuation {
   LaidOrbits* orbits = nullptr;            // whose equations it solves
   std::vector<OrbitBranchPoint> others{};  // as of BranchPlace
@@ -19,7 +19,7 @@ struct BranchPart {
   std::vector<SpecialContinuation> continuations;  // of its special points
 };
 
-// The parts that are listed. Pieces that lead beyond a boundary are cut off there.
+// The parts to be listed. Pieces that extend beyond a boundary are cut off there.
 std::vector<BranchPart> parts_of(std::vector<BranchPiece>& pieces);
 
 }  // namespace graze

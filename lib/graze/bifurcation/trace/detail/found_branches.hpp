@@ -1,5 +1,5 @@
-// Branches of orbits as they were found, and as they are handed on: in an order and under names
-// that do not depend on what start found them.
+// Branches of orbits as found, and as returned: in an order and under names that do not depend on
+// which start found them.
 #pragma once
 
 #include <cstddef>
@@ -17,20 +17,19 @@ namespace graze {
 struct FoundBranch {
   BranchPart part;
   int trace = 0;                   // its number
-  int origin_branch = -1;          // index of the found branch it was switched onto from
+  int origin_branch = -1;          // index of the found branch from which it was switched onto
   std::size_t origin_special = 0;  // and of the special point there
 
   OrbitBranch& branch() { return part.branch; }
   const OrbitBranch& branch() const { return part.branch; }
 };
 
-// What tells the connected set of solutions that a branch is of, a name for it; nothing where it is
-// not known.
+// A name for the connected set of solutions that a branch belongs to; nullopt when it is not known.
 using ConnectedSet = std::function<std::optional<std::pair<int, int>>(const OrbitBranch&)>;
 
-// The branches by period, impacts and lowest parameter value, those that stick last: numbered,
-// their special points and components named, those they were switched onto from written down.
-// `components`: empty still. `set_of`: its names are not negative.
+// The branches sorted by period, impacts and lowest parameter value, those that stick last;
+// numbered, with names of their special points and components, and with their origins.
+// `components`: still empty. `set_of`: its names are not negative.
 std::vector<OrbitBranch> put_in_order(std::vector<FoundBranch> found, Components components,
                                       const ConnectedSet& set_of);
 
