@@ -14,11 +14,11 @@
 namespace graze {
 namespace {
 
-// Cells narrower than this part of the range are not looked into: branches end at a grazing that is
+// Cells narrower than this part of the range are not searched: branches end at a grazing that is
 // located to 1e-10.
 constexpr double kResolution = 1e-9;
 
-// Cells times modes that one search may look at: about a second's worth.
+// Most cells times modes in one search: about a second's worth.
 constexpr long long kMostRunWork = 1LL << 17;
 
 // Values that traced branches cover, as disjoint intervals.
@@ -35,7 +35,7 @@ class Coverage {
     }
     parts_[from] = to;
   }
-  // What is not covered of an interval.
+  // The part of an interval that is not covered.
   std::vector<std::pair<double, double>> rest(double from, double to) const {
     std::vector<std::pair<double, double>> list;
     auto at = parts_.upper_bound(from);
@@ -53,7 +53,7 @@ class Coverage {
   std::map<double, double> parts_;
 };
 
-// An instant at which a solution was seen beyond a stop.
+// An instant at which a solution penetrates a stop.
 struct Witness {
   int stop = 0;
   double part = 0.0;  // of the way to the next impact
@@ -122,8 +122,8 @@ class Search {
     open.push_back({cell.range, cell.family, middle, cell.high, cell.witness});
   }
 
-  // Traces the solution in the middle of a cell where it is an orbit, and looks at what is left of
-  // the cell; where it is none, the cell gets the witness of that.
+  // Traces the solution in the middle of a cell when it is an orbit, and opens the rest of the
+  // cell; else the cell gets the instant that shows it is none.
   bool judge(const ImpactPoint& solution, double middle, Cell& cell, std::deque<Cell>& open) {
     const System& system = *cursor_.at(middle);
     const ImpactPattern pattern{ranges_.period(), {ranges_.stop()}};
@@ -144,8 +144,9 @@ class Search {
     return false;
   }
 
-  // Where it is certain that the family has no orbit: nowhere, in the middle of the cell, or all
-  // over it. A middle without an orbit need not be solved for, the bounds are too wide rather than
+  // Where the family certainly has no orbit: nowhere, in the middle of the cell, or all over it. In
+  // the second case the middle need not be solved for: the bounds are too wide, and the instant is
+  // well chosen.
   // the witness a poor one.
   enum class Extent { kNowhere, kMiddle, kEverywhere };
   static Extent extent_of_negative(const MeanValueForm& form) {
@@ -193,7 +194,7 @@ class Search {
         if (last_family == family) {
           here.add(last->value, point.value);
         } else {
-          // From one family to the other leads the nearer fold.
+          // The nearer fold leads from one family to the other.
           const bool upwards = all[*range].to - point.value < point.value - all[*range].from;
           const double fold = upwards ? all[*range].to : all[*range].from;
           here.add(point.value, fold);

@@ -9,14 +9,14 @@ namespace {
 
 using Form = MeanValueForm;
 
-// What a repeated unit impulse on one mode leaves just before the next one; displaced has the
-// denominator `over` where it is not 1.
+// Displacement and speed just before the next impulse of a repeated unit impulse on one mode;
+// displaced has the denominator `over` where it is not 1.
 struct RepeatedMode {
   Form displaced, approached, over = 1.0;
 };
 
-// Taylor series of sin(x)/x and of (1 - cos x)/x^2 in y = x^2, |y| <= 1: what is left out is less
-// than eps/10.
+// Taylor series of sin(x)/x and of (1 - cos x)/x^2 in y = x^2, |y| <= 1: the remainder is less than
+// eps/10.
 Form sine_over(const Form& y) {
   Form sum = 0.0;
   for (int k = 8; k >= 1; --k) sum = (1.0 - sum) * y * (1.0 / ((2.0 * k) * (2.0 * k + 1.0)));
@@ -98,7 +98,7 @@ std::optional<RepeatedMode> repeated_mode(const Form& omega, const Form& delta,
   return critical_mode(delta, discriminant, duration);
 }
 
-// A mode without stiffness, by what grows as w^-2: displaced 1/P; the speed is finite.
+// A mode without stiffness, as the coefficient of w^-2: displaced 1/P; the speed is finite.
 RepeatedMode free_mode(const Form& delta, const Form& duration) {
   RepeatedMode mode;
   mode.displaced = inverse(duration);
@@ -250,7 +250,7 @@ int family_of(const SystemForms& system, int stop, int period, double theta) {
   if (!form) return 0;
   const auto number = [](const Form& of) { return of.middle.middle(); };
   // a D = Re(A (D - i (1 + r) Omega g) e^{i theta}): the imaginary part is that of one solution or
-  // minus that of the other, and smooth along each once it is freed of its poles.
+  // minus that of the other, and smooth along each once its poles are divided out.
   const Complex forced(number(form->forced_real), number(form->forced_imaginary));
   const Complex turned(form->free_mass ? 0.0 : number(form->approached),
                        -number(form->kick) * number(form->displaced));

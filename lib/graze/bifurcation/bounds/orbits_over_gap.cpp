@@ -19,15 +19,15 @@
 namespace graze {
 namespace {
 
-// In lengths of the forced motion: how far the gaps are widened, and narrowed, beyond where the
-// response touches and where they are the system's own. Resonances of that many times the linear
-// response are beyond structures that a stop stiffens.
+// In lengths of the forced motion: how far the gaps are widened beyond where the response touches,
+// and narrowed beyond the system's own gaps. Structures that a stop stiffens have no resonances of
+// that many times the linear response.
 constexpr double kWidest = 20.0, kNarrowest = 0.1;
 // How far clear of the stops the branch starts, and its longest steps.
 constexpr double kClear = 0.05, kLongestStep = 0.5;
-// A map with its derivatives costs as N^3: a branch takes some seconds with this many modes.
+// A map with its derivatives costs as N^3: with this many modes a branch takes some seconds.
 constexpr int kMostGapModes = 24;
-// The branch alone is wanted, not what happens along it.
+// Only the branch is needed, not its special points.
 constexpr double kMaxDistance = 0.2;
 constexpr int kMostGapPoints = 400;
 
@@ -97,7 +97,7 @@ class GapBranch {
                           std::move(sum->by_parameters), std::move(sum->closing)};
   }
 
-  // By how much all gaps are widened where the response just reaches the first stop.
+  // The widening of all gaps at which the response just reaches the first stop.
   std::optional<double> widening_that_touches() const {
     constexpr int kPhases = 256;
     const PeriodicResponseAnswer answer = periodic_response(system_, 1);

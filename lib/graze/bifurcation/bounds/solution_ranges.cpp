@@ -11,7 +11,7 @@
 namespace graze {
 namespace {
 
-// Cells times modes that a survey may look at: about a second's worth.
+// Most cells times modes in a survey: about a second's worth.
 constexpr long long kMostRangeWork = 1LL << 20;
 
 }  // namespace
@@ -22,7 +22,7 @@ SolutionRanges::SolutionRanges(const SystemFamily& family, int stop, int period,
       stop_(stop),
       period_(period),
       length_(highest - lowest) {
-  bool ends_everywhere = false;  // at zeros, though there are solutions on both sides
+  bool ends_everywhere = false;  // intervals end at zeros, though there are solutions on both sides
   int sign = 0;                  // of F; 0 before the first piece and after a gap between pieces
   long long left = kMostRangeWork / family.scene().modes();
   auto pieces_left = static_cast<long long>(interpolant_.pieces().size());

@@ -13,10 +13,10 @@
 namespace graze {
 namespace {
 
-// Values over the range: a few milliseconds for each mode.
+// Number of values over the range: a few milliseconds for each mode.
 constexpr int kValues = 1025;
 
-// Cells that one value's speeds may take: some fifty are usual.
+// Most cells for the speeds at one value: some fifty are usual.
 constexpr long long kMostCells = 4096;
 
 // r(v), clamped to [0, 1], over a cell of speeds.

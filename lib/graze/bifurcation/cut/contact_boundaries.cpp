@@ -11,7 +11,7 @@
 namespace graze {
 namespace {
 
-// The stop of a contact that only one of two orbits has; nothing where they have the same.
+// The stop of a contact that only one of two orbits has; nullopt when they have the same contacts.
 std::optional<int> stop_of_difference(const std::vector<int>& a, const std::vector<int>& b) {
   std::vector<int> difference;
   std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(),
@@ -19,7 +19,7 @@ std::optional<int> stop_of_difference(const std::vector<int>& a, const std::vect
   return difference.empty() ? std::nullopt : std::optional(difference.front());
 }
 
-// Of the contacts of a place, in rising order; none where it is no orbit.
+// The stops of the contacts of a place, in rising order; none where it is no orbit.
 std::vector<int> stops_of(const BranchPlace& place) {
   std::vector<int> stops = place.at.orbit.pattern().stops;
   std::sort(stops.begin(), stops.end());
@@ -31,16 +31,16 @@ std::vector<int> stops_of(const BranchPlace& place) {
 bool ContactBoundaries::resolves(const SolutionPoint& from, const SolutionPoint& to) {
   const std::optional<int> stop =
       stop_of_difference(equations_.stops_met(from), equations_.stops_met(to));
-  // Across a corner the tangents say nothing.
+  // Across a corner the tangents are unrelated.
   if (!stop || !equations_.sets_in_smoothly(from, *stop)) return true;
-  // What is this short shows all there is.
+  // A step this short hides nothing.
   if ((to.u - from.u).norm() <= kOnePoint * (1.0 + from.u.norm())) return true;
   const std::optional<FoundGrazing> grazing =
       find_grazing_between(equations_, options_, from, to, *stop);
   return grazing && grazing->at.tangent.dot(from.tangent) >= std::cos(options_.max_turn);
 }
 
-// `approach`: an approach touches there, else a contact loses its speed.
+// `approach`: an approach touches there, else the speed of a contact vanishes.
 BranchPlace ContactBoundaries::boundary(const SolutionPoint& at,
                                         std::optional<OrbitBranchPoint> orbit,
                                         bool approach) const {
@@ -53,7 +53,7 @@ BranchPlace ContactBoundaries::boundary(const SolutionPoint& at,
   return place;
 }
 
-// The contacts of the orbits on both sides tell it, in whatever order.
+// Decided by the contacts of the orbits on both sides, in any order.
 void ContactBoundaries::pass(const JudgedPoint& a, const JudgedPoint& b,
                              std::vector<BranchPlace>& places) {
   const std::vector<int> before = stops_of(a.place), after = stops_of(b.place);
@@ -79,8 +79,7 @@ void ContactBoundaries::pass(const JudgedPoint& a, const JudgedPoint& b,
   places.back().begins = true;
 }
 
-// How far an orbit is from a grazing, m or m^2/s^2: in proportion to the distance along the
-// branch.
+// Distance of an orbit from a grazing, m or m^2/s^2: proportional to the distance along the branch.
 std::optional<double> ContactBoundaries::margin_of(const SolutionPoint& point, bool speed,
                                                    std::size_t impacts) const {
   const std::optional<OrbitBranchPoint> at = equations_.judge(point);
@@ -89,16 +88,17 @@ std::optional<double> ContactBoundaries::margin_of(const SolutionPoint& point, b
   return at->orbit.clearance;
 }
 
-// A margin that a trace which no step leads on from has come near enough to: 1e-5 of the speed of
-// the forced motion, or 1e-10 of its length.
+// Margin at which a trace without a further step is near enough: 1e-5 of the speed of the forced
+// motion, or 1e-10 of its length.
 double ContactBoundaries::near_enough(bool speed) const {
   constexpr double kPart = 1e-10;
   const double size = speed ? equations_.speed_unit() : 1.0;
   return kPart * (speed ? size * size : equations_.length());
 }
 
-// Where the force of a stop sets in with a jump the map has a corner at a grazing and the trace
-// cannot turn it. It is gone up to from its last points, where they lead onto one.
+// Where the force of a stop sets in with a jump the map has a corner at a grazing, around which the
+// trace cannot turn. The grazing is approached from the trace's last points, where they lead to
+// one.
 std::optional<BranchTip> ContactBoundaries::close(Branch& trace, std::size_t side) {
   const std::size_t count = trace.points.size();
   if (trace.ends[side] != BranchEnd::kNotConverged || count < 2) return {};
@@ -120,7 +120,7 @@ std::optional<BranchTip> ContactBoundaries::close(Branch& trace, std::size_t sid
   return {};
 }
 
-// By secants of the margin, from one side; nothing where they lead nowhere near.
+// Approaches by secants of the margin, from one side; nullopt when they do not come near zero.
 std::optional<SolutionPoint> ContactBoundaries::corner_beyond(SolutionPoint before,
                                                               SolutionPoint last, bool speed,
                                                               std::size_t impacts) const {
@@ -135,7 +135,7 @@ std::optional<SolutionPoint> ContactBoundaries::corner_beyond(SolutionPoint befo
   if (!(*to < *from)) return {};
   const double first = *from;
   for (int round = 0; round < kMostRounds && 1e-12 * first < *to; ++round) {
-    // Not quite there: beyond, the motion is another one.
+    // Stops short of the zero: beyond it the motion is another one.
     const double part = 0.9 * *to / (*from - *to);
     if (!(part > 0.0) || (round == 0 && part > 1.0)) return {};
     SolutionPoint guess = last;
@@ -149,7 +149,7 @@ std::optional<SolutionPoint> ContactBoundaries::corner_beyond(SolutionPoint befo
     from = std::exchange(to, left);
   }
   if (!(*to <= 1e-3 * first)) return {};
-  // Seen from one side alone: as far beyond as the last secant says.
+  // Seen from one side only: the bracket extends by the length of the last secant.
   const double ahead = *to / (*from - *to) * (last.parameter - before.parameter);
   last.bracket =
       bracket_around({last.parameter, last.parameter + ahead}, *to <= near_enough(speed));

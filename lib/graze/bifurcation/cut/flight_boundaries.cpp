@@ -11,7 +11,7 @@
 namespace graze {
 namespace {
 
-// No stop is penetrated by more, of the length scale.
+// Largest penetration that counts as none, in length scales.
 constexpr double kPenetration = 1e-12;
 
 bool penetrates(const FlightEquations& equations, const SolutionPoint& at) {
@@ -23,7 +23,7 @@ bool penetrates(const FlightEquations& equations, const SolutionPoint& at) {
 std::optional<SolutionPoint> grazing_approach(const FlightEquations& equations,
                                               const ContinuationOptions& options,
                                               const SolutionPoint& a, const SolutionPoint& b) {
-  // Without an interior minimum the motion is as clear as its gap is wide.
+  // Without an interior minimum the gap itself is the clearance.
   const auto clearance = [&](const SolutionPoint& p) {
     return equations.admissibility_of(p).clearance();
   };
@@ -36,7 +36,7 @@ std::optional<SolutionPoint> grazing_approach(const FlightEquations& equations,
 std::optional<SolutionPoint> vanishing_impact(const FlightEquations& equations,
                                               const ContinuationOptions& options,
                                               const SeenSolution& a, const SeenSolution& b) {
-  // One of them is on the grazing within rounding.
+  // One of the two is on the grazing within rounding.
   const double at_a = a.smallest_speed(), at_b = b.smallest_speed();
   if (at_a > 0.0 && at_b > 0.0) {
     SolutionPoint nearer = at_a < at_b ? *a.point : *b.point;
@@ -59,7 +59,7 @@ std::optional<SolutionPoint> pushed_back(const FlightEquations& equations,
   return locate(equations.problem(), options, a, b, pull);
 }
 
-// The impacts of a grazing on its other side; none where there are none left.
+// The impacts of a grazing orbit on its other side; nullopt when there are none left.
 std::optional<GrazingOrbit> impacts_across(const FlightEquations& equations,
                                            const SpecialPoint& special) {
   const ImpactPattern& pattern = equations.pattern();
@@ -104,13 +104,13 @@ void FlightBoundaries::pass(const JudgedPoint& a, const JudgedPoint& b,
     const auto next = std::next(sample);
     const bool changes_next =
         (next == looked_at.end() ? to : next->seen).admissible != here.admissible;
-    // Of the solutions that were only looked at those are listed that tell two grazings apart.
+    // Of the samples only those that separate two grazings are listed.
     if (changes || changes_next) places.push_back(place_of(sample->at));
     before = &here;
   }
 }
 
-// One of them is an orbit and one is not.
+// The boundary between two solutions, one of which is an orbit.
 std::optional<BranchPlace> FlightBoundaries::between(const SeenSolution& a,
                                                      const SeenSolution& b) const {
   const auto flight = [&](const SolutionPoint& p) {
@@ -144,7 +144,7 @@ std::optional<BranchPlace> FlightBoundaries::grazing(const SeenSolution& a,
   SpecialPoint special{
       SpecialKind::kGrazing, "", equations_.orbit_at(*point), {}, by_speed, *point};
   special.by_push = by_push;
-  // It touches and does not cross; which side of that the last bit falls on says nothing.
+  // It touches and does not cross; the side on which the last bit falls has no meaning.
   special.at.orbit.admissible = true;
   BranchPlace place{special.at, {}, true, OrbitBranchEnd::kGrazing};
   if (by_push && branches_.follow_depth > 0)
@@ -153,9 +153,9 @@ std::optional<BranchPlace> FlightBoundaries::grazing(const SeenSolution& a,
   return place;
 }
 
-// Beyond a push the structure is held for a while, the longer the farther. The nearest orbit that
-// does so, as the motion from the first impact finds it; none where orbits that stick are not asked
-// for.
+// Beyond a push the structure is held for some time, which grows with the distance. Returns the
+// nearest orbit that sticks, found by the motion from the first impact; none where orbits that
+// stick are not wanted.
 std::vector<OrbitBranchPoint> FlightBoundaries::held_beyond(const SolutionPoint& push,
                                                             double towards) const {
   if (!branches_.sticking) return {};
@@ -179,7 +179,7 @@ std::vector<OrbitBranchPoint> FlightBoundaries::held_beyond(const SolutionPoint&
   return {};
 }
 
-// What lies beyond a push is no orbit at the grazing itself.
+// The solution beyond a push is no orbit at the grazing itself.
 std::optional<Orbit> FlightBoundaries::across(const SpecialPoint& special) const {
   if (special.kind != SpecialKind::kGrazing || special.by_push) return {};
   const std::optional<GrazingOrbit> impacts = impacts_across(equations_, special);

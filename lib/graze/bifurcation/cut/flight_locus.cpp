@@ -7,8 +7,8 @@
 namespace graze {
 namespace {
 
-// Beside a grazing multipliers go with the impact speed, and turn where it does nothing more than
-// halve or change its sign; from here on, a part of the forced motion's speed, no longer.
+// Beside a grazing multipliers vary with the impact speed. Steps are short enough to change a speed
+// by at most half, or by this part of the forced motion's speed, if that is more.
 constexpr double kSlowest = 1e-5;
 
 }  // namespace

@@ -11,16 +11,16 @@
 namespace graze {
 namespace {
 
-// Solutions looked at within one step. A grazing pair takes one or two, and each further one
-// halves at least what is in doubt.
+// Largest number of samples within one step. A grazing pair takes one or two, and each further
+// sample at least halves the suspected interval.
 constexpr std::size_t kMostSamples = 40;
 
-// A gap that returns to where it was from a dip to zero at an even curvature begins it at a rate of
-// four times its size per step; one that rises through zero at once, at its size. Twice what is
-// needed for the latter.
+// A gap with constant curvature that falls to zero and returns to its value within a step begins
+// with a rate of four times its size per step; one that falls through zero, with its size. Twice
+// what is needed for the latter.
 constexpr double kReach = 2.0;
 
-// The approach nearest to where another one is after (or, backwards, was before) half the piece.
+// The approach nearest to where another one is half the piece later (or, backwards, earlier).
 const OrbitMargin* partner(const OrbitMargin& margin, const std::vector<OrbitMargin>& others,
                            double half) {
   const OrbitMargin* nearest = nullptr;
@@ -71,7 +71,8 @@ std::vector<OrbitMargin> GrazingSamples::approaches(const SeenSolution& solution
                           direction(*solution.point), level);
 }
 
-// Of all that may come to zero between a and b; none where the classification cannot change.
+// Interpolants of all quantities that may reach zero between a and b; empty where the
+// classification cannot change.
 std::vector<MarginInterpolant> GrazingSamples::interpolants(const SeenSolution& a,
                                                             const SeenSolution& b) const {
   const double step = arclength(corrector_, *a.point, *b.point);
@@ -85,9 +86,9 @@ std::vector<MarginInterpolant> GrazingSamples::interpolants(const SeenSolution& 
   const double reach = kReach * step * std::max(a.drift, b.drift);
   const double far = std::numeric_limits<double>::infinity();
   const double lowest = std::min(a.clearance.value_or(far), b.clearance.value_or(far));
-  // A gap so deep beyond its stop is still there at the other end.
+  // A penetration this deep still exists at the other end.
   if (lowest < -reach) return {};
-  // Twice as far, so that what is near at one end is listed at the other too.
+  // Twice as far, so that an approach near at one end is listed at the other, too.
   if (lowest <= reach) add_approaches(a, b, step, 2.0 * reach, list);
   return list;
 }
@@ -118,7 +119,7 @@ void GrazingSamples::add_approaches(const SeenSolution& a, const SeenSolution& b
 std::optional<SolutionPoint> GrazingSamples::suspected(const SeenSolution& a,
                                                        const SeenSolution& b) {
   const std::vector<MarginInterpolant> all = interpolants(a, b);
-  // Where the classification at an end depends on something else these say nothing.
+  // Where the classification at an end depends on something else the interpolants do not apply.
   if (all.empty() || all_positive(all, 0.0) != a.admissible ||
       all_positive(all, 1.0) != b.admissible)
     return {};

@@ -15,9 +15,9 @@ namespace {
 constexpr int kMostIterations = 16;
 // A step this small leaves an error of its power 3/2, below 1e-12.
 constexpr double kSettled = 1e-8;
-// Steps that shrink less lead nowhere near.
+// Newton's method has failed when steps shrink less than this,
 constexpr double kContraction = 0.8;
-// Nor does what lies further than this from where it began, in units of the unknowns and the range.
+// or when it is further than this from its start, in units of the unknowns and the range.
 constexpr double kBesideContact = 1e-2;
 
 class GrazingSearch {
@@ -44,7 +44,7 @@ class GrazingSearch {
     return {};
   }
 
-  // How far along the chord from a to b, as a part of it; nothing beside it.
+  // The part of the chord from a to b at which a point lies; nullopt when it lies beside it.
   std::optional<double> part_between(const SolutionPoint& a, const SolutionPoint& b,
                                      const SolutionPoint& point) const {
     const Vector chord = corrector_.chord(a, b), offset = corrector_.chord(a, point);
@@ -103,8 +103,8 @@ std::optional<FoundGrazing> find_grazing_between(const SegmentEquations& equatio
       best = found;
     }
   if (!best) return {};
-  // The orientation is constant along a branch, whereas where it turns back the tangents may be
-  // more than a right angle apart.
+  // Orientation is compared instead of tangents: it is constant along a branch, whereas tangents
+  // may differ by more than a right angle where the branch turns back.
   best->at.orientation = sign_of_orientation(equations, options, best->at);
   const bool runs_back = a.orientation != 0 ? best->at.orientation * a.orientation < 0
                                             : best->at.tangent.dot(a.tangent) < 0.0;

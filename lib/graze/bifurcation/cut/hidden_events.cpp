@@ -7,7 +7,7 @@
 namespace graze {
 namespace {
 
-// The margin of another solution that this one has become.
+// The margin of another solution that corresponds to this one.
 const SegmentMargin* partner(const SegmentMargin& margin,
                              const std::vector<SegmentMargin>& others) {
   const SegmentMargin* nearest = nullptr;
@@ -28,7 +28,7 @@ std::optional<std::vector<SegmentMargin>> HiddenEvents::margins(const SolutionPo
                          [&] { return equations_.margins(solution, corrector_.range()); });
 }
 
-// Of what must stay positive between a and b, as far as it is known at both.
+// Interpolants of the quantities that must stay positive between a and b and are known at both.
 std::vector<MarginInterpolant> HiddenEvents::interpolants(const SolutionPoint& a,
                                                           const SolutionPoint& b) {
   const std::optional<std::vector<SegmentMargin>> at_a = margins(a), at_b = margins(b);
@@ -44,7 +44,7 @@ std::vector<MarginInterpolant> HiddenEvents::interpolants(const SolutionPoint& a
     const SegmentMargin* end = partner(start, *at_b);
     if (!end || partner(*end, *at_a) != &start) continue;
     double from = start.value, from_rate = start.rate, to = end->value, to_rate = end->rate;
-    // Where the map does not feel the impact its speed is born as the root of the distance.
+    // Where the map does not depend on the impact, its speed grows as the root of the distance.
     const bool squared = start.is_speed && !equations_.see_impacts();
     if (squared) {
       from_rate *= 2.0 * from;
@@ -63,7 +63,7 @@ std::optional<SolutionPoint> HiddenEvents::between(const SolutionPoint& a, const
   const std::vector<MarginInterpolant> all = interpolants(a, b);
   if (all.empty() || looks-- <= 0 || !all_positive(all, 0.0) || !all_positive(all, 1.0)) return {};
   std::optional<double> part = suspected_sign_change(all);
-  // The ends may be of two branches with the same events.
+  // The ends may be on two branches with the same events.
   if (!part && !is_shown(all)) part = 0.5;
   if (!part) return {};
   const Vector predicted = cubic_between(corrector_, a, *part * corrector_.ahead(a, b), a, b);

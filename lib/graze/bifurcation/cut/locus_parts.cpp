@@ -8,14 +8,14 @@
 namespace graze {
 namespace {
 
-// Without a boundary none could be located.
+// Used when no boundary could be located.
 OrbitLocusEnd end_at(const LocusPlace& place) {
   if (!place.boundary) return OrbitLocusEnd::kNotConverged;
   return place.boundary == LocusMargin::kFlight ? OrbitLocusEnd::kImpactsMeet
                                                 : OrbitLocusEnd::kGrazing;
 }
 
-// A trace that could be followed up to a grazing only ends on that.
+// A trace that could be followed only up to a grazing ends on it.
 OrbitLocusEnd end_of_trace(const OrbitLocus& frame, const std::vector<LocusPlace>& places,
                            std::size_t side) {
   const LocusPlace& last = side == 0 ? places.front() : places.back();
@@ -36,8 +36,8 @@ class Parts {
     for (std::size_t i = 0; i < places_.size(); ++i) {
       LocusPlace& place = places_[i];
       const bool boundary = place.boundary.has_value(), last = i + 1 == places_.size();
-      // On the boundary it grazes and does not cross; which side the last bit falls on says
-      // nothing.
+      // On the boundary it grazes and does not cross; the side on which the last bit falls has no
+      // meaning.
       if (boundary) place.at.admissible = true;
       const bool kept = keep_virtual_ || place.at.admissible;
       if (kept && !open_) begin(i == 0 ? end_of_trace(frame_, places_, 0) : end_at(place));

@@ -20,12 +20,12 @@ ReleaseApproach approach_boundary(const SegmentEquations& equations, Corrector& 
   result.last = at_a;
   result.beyond = equations.follow(b);
   result.at_beyond = b;
-  // Two points nearer than this are one in double precision.
+  // Two points nearer than this are the same in double precision.
   const double least =
       4.0 * std::numeric_limits<double>::epsilon() * (1.0 + corrector.pack(a).norm());
   if (result.beyond && result.beyond->returns)
     result.others.emplace_back(b, result.beyond->sticking);
-  // Some two steps to a bit; more of them would lead past `b`.
+  // Some two steps for each bit; more of them would lead past `b`.
   double h = 0.5 * chord.norm();
   for (int step = 0; h > least && step < kMostSteps && !stop.requested(); ++step) {
     std::optional<SolutionPoint> next =

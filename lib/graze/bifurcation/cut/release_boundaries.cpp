@@ -16,15 +16,15 @@
 namespace graze {
 namespace {
 
-// What lies beyond a CH: no single branch. The structure leaves its stop before it has come to rest
-// there, after as many impacts as there was time for; one more of them fits in each of the windows
-// that crowd up to CH, narrower from one to the next by a factor that depends on the restitution
-// (1.25 at r = 0.8, 2.0 at 0.5), infinitely many. The orbits of the first ones are sought.
+// Beyond a CH there is no single branch. The structure leaves its stop before it has come to rest,
+// after as many impacts as fit in; the number grows by one in each of infinitely many windows that
+// accumulate at CH, narrower from one to the next by a factor that depends on the restitution (1.25
+// at r = 0.8, 2.0 at 0.5). The orbits of the first windows are searched for.
 
 constexpr int kWindows = 6;
-// Places looked at in each: a solution there may be one of the next window.
+// Values examined in each window: a solution there may belong to the next one.
 constexpr int kLooks = 2;
-// How far from CH the first one is sought, of the range.
+// Distance from CH of the first search, relative to the range.
 constexpr double kFirst = 0.02;
 
 // A motion from the release that does not come back to rest, as impacts and flights.
@@ -41,9 +41,9 @@ std::optional<Orbit> impacts_of(const System& system, const SegmentEquations& eq
   return orbit.impacts.empty() ? std::nullopt : std::optional(std::move(orbit));
 }
 
-// What leads to them: the impacts of solutions of the equations at the release, which go on beyond
-// CH as motions that come near the stop instead of to rest on it; from `outer`, beyond the CH at
-// `boundary`, on towards that. Each with the value of the parameter, farthest first; none where
+// Starts for these orbits: the impacts of solutions of the equations at the release, which go on
+// beyond CH as motions that come near the stop instead of to rest on it; from `outer`, beyond the
+// CH at `boundary`, towards that. Each with the value of the parameter, farthest first; none where
 // another stop holds the structure.
 std::vector<OrbitBranchPoint> windows_beyond(const SegmentEquations& equations,
                                              const ContinuationOptions& options,
@@ -52,8 +52,8 @@ std::vector<OrbitBranchPoint> windows_beyond(const SegmentEquations& equations,
   std::vector<OrbitBranchPoint> list;
   const auto released = static_cast<std::size_t>(*equations.layout().released);
   const Stop& stop = equations.system_at(boundary.parameter)->stops[released];
-  // By what part a window is narrower than the one before it. Without restitution the impact that
-  // ends a flight is the only one.
+  // The factor by which a window is narrower than the previous one. Without restitution the impact
+  // that ends a flight is the only one.
   const double crowding = parting_ratio(stop.restitution().at_rest());
   if (!std::isfinite(crowding)) return list;
   const double closer = std::pow(crowding, 1.0 / kLooks);
@@ -73,15 +73,14 @@ std::vector<OrbitBranchPoint> windows_beyond(const SegmentEquations& equations,
   return list;
 }
 
-// Changes of the itinerary within one step that are looked through. Beside CH the impacts of the
-// chatter that does not complete any more vanish one after the other, some thirty in double
-// precision.
+// Largest number of changes of the itinerary followed within one step. Beside CH the impacts of the
+// chatter that no longer completes vanish one after the other, some thirty in double precision.
 constexpr int kMostChanges = 64;
 
-// Solutions looked at between two with the same events.
+// Largest number of solutions examined between two with the same events.
 constexpr int kMostLooks = 40;
 
-// What was met beyond may be a prediction only; that is no solution, and does not return.
+// A point beyond may be only a prediction, which has no tangent and is not followed.
 bool is_solved(const SolutionPoint& point) { return point.tangent.size() > 0; }
 
 void drop_last(Branch& trace, std::size_t side) {
@@ -107,7 +106,7 @@ ReleaseBoundaries::ReleaseBoundaries(const SegmentEquations& equations,
 bool ReleaseBoundaries::goes_on(const SolutionPoint& previous, const SolutionPoint& here) {
   const auto before = equations_.follow(previous), now = equations_.follow(here);
   if (!before || !now || !now->returns || now->sticking != before->sticking) return false;
-  // Where the impacts are felt, between() knows.
+  // Where the equations contain the impacts, between() decides.
   return !equations_.see_impacts() || !between(previous, here).boundary;
 }
 
@@ -124,7 +123,7 @@ ReleaseTip ReleaseBoundaries::between(const SolutionPoint& a, const SolutionPoin
 
 ReleaseTip ReleaseBoundaries::at_last(const SolutionPoint& at) {
   const std::optional<ReleaseReturn> here = equations_.follow(at);
-  // Where the equations are solved no further the trace has come as near as it gets.
+  // The trace has come as near as the equations can be solved.
   if (here && has_shrunk(*here, equations_.period_at(at)))
     return {OrbitBranchEnd::kChatterCompletes,    at, false, false, at.parameter, {},
             bracket_around({at.parameter}, false)};
@@ -136,7 +135,7 @@ void ReleaseBoundaries::pass(const JudgedPoint& a, const JudgedPoint& b,
   if (equations_.see_impacts()) return;
   walk(a.point, b.point, true, [&](const ReleaseTip& tip) {
     if (tip.end != OrbitBranchEnd::kGrazing) return false;
-    // The branch goes on to what lies beyond.
+    // The branch goes on to the orbit beyond.
     ReleaseTip passed = tip;
     passed.beyond.reset();
     if (std::optional<BranchPlace> place = place_of(passed)) places.push_back(std::move(*place));
@@ -192,7 +191,7 @@ std::optional<BranchTip> ReleaseBoundaries::close(Branch& trace, std::size_t sid
   return BranchTip{tip.end, std::move(place)};
 }
 
-// Of the last step only what leads up to the boundary is left, with the special points in that.
+// Keeps of the last step only the part up to the boundary, with the special points in it.
 void ReleaseBoundaries::end_at(const SolutionPoint& boundary, Branch& trace, std::size_t side) {
   const std::size_t first = side == 0 ? 0 : trace.points.size() - 2;
   trace.points[side == 0 ? 0 : first + 1] = boundary;
@@ -207,8 +206,8 @@ void ReleaseBoundaries::end_at(const SolutionPoint& boundary, Branch& trace, std
   if (const auto fold = fold_between(corrector_, step.points[0], step.points[1]))
     step.critical.push_back({CriticalKind::kFold, *fold, 0, {}});
   add_critical_points(step, problem, corrector_, options_.stop);
-  // Where the boundary is a fold of the equations (a flight that goes as the root of the distance)
-  // solutions beside it may lie beyond.
+  // Where the boundary is a fold of the equations (a flight proportional to the root of the
+  // distance) solutions beside it may lie beyond.
   const auto here = equations_.follow(trace.points[side == 0 ? 1 : first]);
   std::erase_if(step.critical, [&](const CriticalPoint& critical) {
     const std::optional<ReleaseReturn> there = equations_.follow(critical.point);
@@ -221,8 +220,8 @@ void ReleaseBoundaries::end_at(const SolutionPoint& boundary, Branch& trace, std
                         step.critical.begin(), step.critical.end());
 }
 
-// From a to b along the changes of the events, and what is there at each, until that is enough.
-// `impacts`: see has_same_events().
+// Walks from a to b along the changes of the events, and passes the end found at each to
+// `is_enough` until that returns true. `impacts`: see has_same_events().
 void ReleaseBoundaries::walk(const SolutionPoint& a, const SolutionPoint& b, bool impacts,
                              const std::function<bool(const ReleaseTip&)>& is_enough) {
   SolutionPoint from = a;
@@ -231,7 +230,7 @@ void ReleaseBoundaries::walk(const SolutionPoint& a, const SolutionPoint& b, boo
   int looks = kMostLooks;
   for (int change = 0; here && change < kMostChanges && !options_.stop.requested(); ++change) {
     SolutionPoint target = b;
-    // Changes that end nothing may be all there is up to `b`.
+    // All changes up to `b` may end nothing.
     if (at_b && has_same_events(*at_b, *here, impacts)) {
       const std::optional<SolutionPoint> other = hidden_.between(from, b, *here, looks);
       if (!other) return;
@@ -259,7 +258,7 @@ void ReleaseBoundaries::walk(const SolutionPoint& a, const SolutionPoint& b, boo
 // the same.
 ReleaseTip ReleaseBoundaries::grazing(const ReleaseApproach& there, const ReleaseReturn& here) {
   const bool solved = is_solved(there.at_beyond);
-  // The impact of a grazing is felt down to some speed; what it was before it impacted touches.
+  // The impact of a grazing exists down to some speed; on the other side the same approach touches.
   const bool is_lost = solved &&
                        here.itinerary.events.size() > there.beyond->itinerary.events.size() &&
                        touches(equations_, there.at_beyond);

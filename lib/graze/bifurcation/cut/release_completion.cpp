@@ -18,8 +18,8 @@ namespace {
 // The contact force on a stop while the structure is held on its stops for ever.
 //
 // With W = diag(omega), C = diag(2 delta), B the rows, D the directions and a the gaps of the
-// closed stops, it answers the forcing by q = q_0 + Re(Q e^{i theta}), and the forces, over the
-// effective masses, are f_0 + Re(F e^{i theta}):
+// closed stops, the response to the forcing is q = q_0 + Re(Q e^{i theta}), and the forces, over
+// the effective masses, are f_0 + Re(F e^{i theta}):
 //
 //   W^2 q_0 + D f_0 = load,     (W^2 - Omega^2 + i Omega C) Q + D F = amplitude,
 //   B^T q_0 = a,                 B^T Q = 0.
@@ -30,12 +30,12 @@ struct ConstraintForce {
   Complex swing;      // F, m/s^2
 
   double least() const { return mean - std::abs(swing); }
-  // In [0, 2 pi), rad.
+  // Phase of the smallest force, in [0, 2 pi), rad.
   double phase_of_least() const { return wrapped(0.5 * kTurn - std::arg(swing)); }
 };
 
-// The force on `stop`, one of the closed ones. Nothing where the held structure is in resonance
-// without damping. Requires forcing.
+// The force on `stop`, one of the closed ones. Returns nullopt when the held structure is in
+// resonance without damping. Requires forcing.
 std::optional<ConstraintForce> constraint_force(const System& system,
                                                 const std::vector<int>& closed, int stop) {
   const Eigen::Index n = system.modes(), m = static_cast<Eigen::Index>(closed.size());
@@ -61,20 +61,20 @@ std::optional<ConstraintForce> constraint_force(const System& system,
   return force;
 }
 
-// Where the contact force touches zero the stop is open for a time that goes as the square root of
-// the distance: what 1e-10 of the parameter leaves of it, of a forcing period.
+// Where the contact force touches zero the stop is open for a time proportional to the square root
+// of the distance: that time at 1e-10 of the parameter, in forcing periods.
 constexpr double kInterrupted = 1e-5;
-// An opening as long as this is known to some 1e-6 of its own, of a forcing period.
+// An opening this long, in forcing periods, is known to some 1e-6 of itself.
 constexpr double kOpened = 1e-4;
-// Points before a boundary that may be flown once more instead of it, each at least half as far
-// from it as the one before.
+// Largest number of points before a boundary that may be flown once more instead of it, each at
+// least half as far from it as the previous one.
 constexpr int kMostBack = 8;
-// A flight whose excursion, as its duration to the power 4, is within rounding is none: what that
-// leaves of the parameter, as its duration to the power 2, is some 1e-8 of the range.
+// A flight whose excursion, its duration to the power 4, is within rounding does not count: in the
+// parameter, as its duration to the power 2, that is some 1e-8 of the range.
 constexpr double kTold = 1e-6;
 constexpr int kMostSecants = 16;  // each doubles the digits, nearly
 
-// The shortest time for which a stop is let go, s; infinite where none is closed again.
+// The shortest time for which a stop is open, s; infinite where none is closed again.
 double shortest_opening(const ReleaseReturn& back, double period) {
   double shortest = std::numeric_limits<double>::infinity();
   for (const SegmentSticking& first : back.segment.sticking)
@@ -87,17 +87,17 @@ double shortest_opening(const ReleaseReturn& back, double period) {
   return shortest;
 }
 
-// Whether a stop is let go and closed again at once.
+// Whether a stop is released and closed again at once.
 bool is_interrupted(const ReleaseReturn& back, double period) {
   return shortest_opening(back, period) <= kInterrupted * period;
 }
 
-// Whether the structure is let go once in all periods and held again at once.
+// Whether the structure is released once in all periods and held again at once.
 bool is_at_rest(const ReleaseReturn& back, int periods, double period) {
   return back.sticking.size() == 1 && back.shortest_sticking >= (periods - kInterrupted) * period;
 }
 
-// A solution before a boundary: its parameter, and what vanishes there.
+// A solution before a boundary: its parameter, and the quantity that vanishes there.
 struct NearBoundary {
   double parameter = 0.0, margin = 0.0;
 };
@@ -105,8 +105,8 @@ struct NearBoundary {
 constexpr Eigen::Index kMostSolutions = 5;
 constexpr double kApart = 1.3;
 
-// How much the slope of the parameter over this power of the margin changes over the three nearest,
-// as a factor.
+// The factor by which the slope of the parameter over this power of the margin changes over the
+// three nearest solutions.
 double bend(const std::vector<NearBoundary>& used, int power) {
   const auto slope = [&](std::size_t k) {
     return (used[k + 1].parameter - used[k].parameter) /
@@ -115,7 +115,7 @@ double bend(const std::vector<NearBoundary>& used, int power) {
   return std::abs(std::log(std::abs(slope(1) / slope(0))));
 }
 
-// Of the nearest `count`: p_0 of p = p_0 + p_1 m^lowest + p_2 m^(lowest + 1) + ...
+// By the nearest `count` solutions: p_0 of p = p_0 + p_1 m^lowest + p_2 m^(lowest + 1) + ...
 double by_polynomial(const std::vector<NearBoundary>& used, Eigen::Index count, int lowest) {
   Matrix powers(count, count);
   Vector ahead(count);
@@ -131,9 +131,9 @@ double by_polynomial(const std::vector<NearBoundary>& used, Eigen::Index count, 
 }
 
 // The parameter where the margin is zero, by the polynomial through solutions at margins that grow
-// by kApart at least, from `reliable` on (two or more). Seen from the side on which the margin is
-// positive the parameter is a smooth function of it, with or without a linear term. `solutions`:
-// the nearest to the boundary last. Nothing where fewer are at hand.
+// by at least kApart, from `reliable` on (two or more). On the side where the margin is positive
+// the parameter is a smooth function of it, with or without a linear term. `solutions`: the nearest
+// to the boundary last. Returns nullopt when there are fewer than two.
 std::optional<double> vanishing_at(const std::vector<NearBoundary>& solutions, double reliable) {
   std::vector<NearBoundary> used;
   for (auto at = solutions.rbegin(); at != solutions.rend() && std::ssize(used) < kMostSolutions;
@@ -141,7 +141,8 @@ std::optional<double> vanishing_at(const std::vector<NearBoundary>& solutions, d
     if (at->margin >= (used.empty() ? reliable : kApart * used.back().margin)) used.push_back(*at);
   if (used.size() < 2) return {};
   const int lowest = used.size() > 2 && bend(used, 2) < bend(used, 1) ? 2 : 1;
-  // As far as a solution more brings it on: farther ones need not lie where the margin is smooth.
+  // As long as a further solution improves it: farther ones need not lie where the margin is
+  // smooth.
   double best = used.front().parameter, change = std::numeric_limits<double>::infinity();
   for (Eigen::Index count = 2; count <= std::ssize(used); ++count) {
     const double value = by_polynomial(used, count, lowest);
@@ -152,8 +153,8 @@ std::optional<double> vanishing_at(const std::vector<NearBoundary>& solutions, d
   return best;
 }
 
-// Where the stop is not let go any more, by orbits before that: bisection comes as near as an
-// opening that can be told from none.
+// Where the stop is no longer released, extrapolated from orbits before that: bisection only comes
+// as near as an opening can be detected.
 double last_opening(const SegmentEquations& equations, const std::vector<SolutionPoint>& reached) {
   std::vector<NearBoundary> near;
   for (const SolutionPoint& point : reached)
@@ -163,8 +164,8 @@ double last_opening(const SegmentEquations& equations, const std::vector<Solutio
       .value_or(reached.back().parameter);
 }
 
-// The orbit met beyond, where its stuck phases are others: of those next to the boundary that have
-// the same ones the farthest.
+// The orbit beyond if its stuck phases differ: of those next to the boundary with the same stuck
+// phases, the farthest.
 std::optional<SolutionPoint> orbit_beyond(const ReleaseApproach& approach) {
   std::optional<SolutionPoint> other;
   const auto& others = approach.others;
@@ -177,8 +178,8 @@ std::optional<SolutionPoint> orbit_beyond(const ReleaseApproach& approach) {
   return other;
 }
 
-// The last of the points reached whose orbit is found once more: on the boundary itself rounding
-// may decide otherwise when it is flown again.
+// The last of the points reached whose orbit is found again: on the boundary itself rounding may
+// decide otherwise when it is flown again.
 std::optional<SolutionPoint> last_orbit(const SegmentEquations& equations,
                                         const std::vector<SolutionPoint>& reached) {
   int back = 0;

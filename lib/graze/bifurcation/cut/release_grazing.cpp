@@ -11,12 +11,12 @@ namespace {
 // An approach nearer than this part of a length touches: a trace that comes to its end there is
 // within its shortest step, some 1e-12, of the grazing.
 constexpr double kGrazes = 1e-9;
-// An impact this slow, of a speed, at a point that was bisected to is one that vanishes there.
+// An impact this slow, in units of speed, at a bisected point is one that vanishes there.
 constexpr double kStill = 1e-5;
-// Where an impact is this slow, of a speed, the trace ends: its square is a thousand times what
-// residuals are solved to.
+// When an impact is this slow, in units of speed, the trace ends: its square is a thousand times
+// the residual tolerance.
 constexpr double kSlowAtRelease = 1e-4;
-// Where on the other side an orbit without the impact is looked for, of the range.
+// Distance on the other side at which an orbit without the impact is searched for, of the range.
 constexpr double kBesideRelease = 1e-5;
 
 double length_unit(const SegmentEquations& equations, const SolutionPoint& at) {
@@ -27,7 +27,7 @@ double speed_unit(const SegmentEquations& equations, const SolutionPoint& at) {
   return length_unit(equations, at) * equations.system_at(at.parameter)->forcing()->frequency;
 }
 
-// The orbit that is left where the impact vanishes: it may lie on either side.
+// The orbit without the vanishing impact: it may lie on either side.
 std::optional<SolutionPoint> without_impact(const SegmentEquations& equations,
                                             const ContinuationOptions& options,
                                             const SolutionPoint& at, double grazing) {
@@ -62,7 +62,7 @@ ReleaseTip grazing_at(const SegmentEquations& equations, const ContinuationOptio
   const bool by_speed = is_lost || here->itinerary.slowest <= kStill * unit;
   if (!by_speed && !touches(equations, at)) return {};
   ReleaseTip tip{OrbitBranchEnd::kGrazing, at, by_speed, false, at.parameter, {}};
-  // As near as solutions were met, if the grazing contact itself is not to be had.
+  // The nearest solution stands for the grazing contact when that cannot be found.
   const auto grazing = find_grazing_from(equations, options, at);
   if (grazing) tip.value = grazing->at.parameter;
   tip.bracket = bracket_around({at.parameter, tip.value}, grazing.has_value());

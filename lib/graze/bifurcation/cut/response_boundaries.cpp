@@ -61,7 +61,7 @@ std::optional<BranchPlace> ResponseBoundaries::grazing(double value) const {
   point->bracket = bracket_around({value}, true);
   std::optional<OrbitBranchPoint> at = equations_.judge(*point);
   if (!at) return {};
-  // It touches and does not cross; which side of that the last bit falls on says nothing.
+  // It touches and does not cross; the side on which the last bit falls has no meaning.
   at->orbit.admissible = true;
   BranchPlace place{*at, {}, true, OrbitBranchEnd::kGrazing};
   place.special = SpecialPoint{SpecialKind::kGrazing, "", std::move(*at), {}, false, *point};
@@ -74,9 +74,9 @@ bool ResponseBoundaries::is_clear(double value) const {
   return response && response->clearance(system->stops).value_or(0.0) >= 0.0;
 }
 
-// A touch of a stop is a boundary where the motion is clear of all of them on one side of it alone.
-// Where several stops are touched within rounding of each other that is one of the touches,
-// whatever rounding says of the motion between them.
+// A touch of a stop is a boundary where the motion is clear of all stops on one side of it only.
+// Where several stops are touched within rounding of each other, one of the touches is the
+// boundary, whatever the rounded motion between them.
 void ResponseBoundaries::pass(const JudgedPoint& a, const JudgedPoint& b,
                               std::vector<BranchPlace>& places) {
   const double from = std::min(a.point.parameter, b.point.parameter);
@@ -100,7 +100,7 @@ void ResponseBoundaries::pass(const JudgedPoint& a, const JudgedPoint& b,
     if (clear[i] == clear[i + 1]) continue;
     std::optional<BranchPlace> place = grazing(values[i]);
     if (!place) continue;
-    // Of solutions that are listed on either side nothing ends.
+    // With virtual solutions listed on either side, nothing ends.
     place->begins = clear[falls ? i : i + 1] && !branches_.keep_virtual;
     places.push_back(std::move(*place));
   }

@@ -11,16 +11,16 @@
 namespace graze {
 namespace {
 
-// Points of a locus of orbits that stick, in each direction: beside a grazing steps may shrink with
-// the speed of an impact, for ever.
+// Largest number of points of a locus of orbits that stick, in each direction: beside a grazing
+// steps may shrink with the speed of an impact, without end.
 constexpr int kMostLocusPoints = 1000;
-// CH is told by impacts whose speeds are known to some 1e-5 of their own.
+// Tolerance on CH, which is computed from impacts whose speeds have relative errors of some 1e-5.
 constexpr double kCompletion = 1e-9;
-// An impact is born with the root of the distance to its grazing, at most: what the bracket leaves
-// of it, of a speed, with some room.
+// The speed of a new impact grows at most with the root of the distance to its grazing: its value
+// within the bracket, in units of speed, with some room.
 constexpr double kBorn = 1e-2;
-// Where an impact is this slow, of a speed, the grazing is some 1e-5 of the range away, and steps
-// have shrunk to less.
+// When an impact is this slow, in units of speed, the grazing is some 1e-5 of the range away, and
+// steps are shorter than that.
 constexpr double kSlowOnLocus = 5e-3;
 
 std::vector<int> sticking_of(const Itinerary& itinerary) {
@@ -61,7 +61,7 @@ bool FixedPhaseLocus::keep(const LocusSite& at) const {
   return true;
 }
 
-// Contacts may be born and lost along it: those of its first point name it.
+// Contacts may be born and lost along it: those of its first point give the pattern.
 ImpactPattern FixedPhaseLocus::pattern(const std::vector<LocusPlace>& places) const {
   ImpactPattern pattern{equations_.period(), {}};
   if (places.empty()) return pattern;
@@ -97,7 +97,7 @@ std::optional<Itinerary> ReleaseLocus::itinerary_at(const LocusSite& at) const {
   return back && back->returns ? std::optional(back->itinerary) : std::nullopt;
 }
 
-// At GR where an impact outside the chatters is born or lost, or has all but lost its speed.
+// GR where an impact outside the chatters is born or lost, or has nearly lost its speed.
 std::optional<OrbitLocusEnd> ReleaseLocus::change(const LocusSite& a, const LocusSite& b) const {
   const std::optional<Itinerary> before = itinerary_at(a), now = itinerary_at(b);
   if (!before || !now)
@@ -127,7 +127,7 @@ bool ReleaseLocus::resolves(const LocusSite& from, const LocusSite& to) const {
   return before && now && before->events == now->events;
 }
 
-// An approach that touches there, or an impact that has lost its speed.
+// GR when an approach touches there, or an impact has lost its speed.
 OrbitLocusEnd ReleaseLocus::end_at(const LocusSite& last) const {
   const std::optional<ReleaseReturn> back = return_at(last, true);
   if (!back) return OrbitLocusEnd::kNotConverged;

@@ -6,8 +6,8 @@
 namespace graze {
 namespace {
 
-// Of differences, in units of the unknowns and the parameters' ranges: the distance is known to
-// some 1e-13, and smooth over some 1e-5.
+// Step of the differences, in units of the unknowns and the parameters' ranges: the distance has an
+// error of some 1e-13, and is smooth over some 1e-5.
 constexpr double kStep = 1e-8;
 
 }  // namespace

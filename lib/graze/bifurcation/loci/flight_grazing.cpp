@@ -22,7 +22,7 @@ FlightGrazing::FlightGrazing(const FlightEquations& equations, std::size_t grazi
     };
 }
 
-// Of the impact that touches.
+// The speed of the impact that touches.
 std::optional<OrbitCurve::Condition> FlightGrazing::speed(const Vector& y, double second) const {
   const std::array<double, 2> values = parameters_of(y, second);
   const System* system = flights_.system_at(values);

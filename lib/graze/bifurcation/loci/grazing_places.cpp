@@ -9,21 +9,21 @@
 namespace graze {
 namespace {
 
-// Where an impact speed vanishes as the flow over a period has a singular block, multipliers of
+// Where an impact speed vanishes while the flow over a period has a singular block, multipliers of
 // every size meet: LP, PD and NS loci end on the grazing there, their equations singular, and creep
-// up to it. Speeds below this part of the forced motion's are on it; nothing is said there of
-// multipliers.
+// up to it. Speeds below this part of the forced motion's count as on it; multipliers are not
+// reported there.
 constexpr double kOnGrazing = 1e-9;
 
-// Grazings nearer than this, in ranges of the parameters, are one.
+// Grazings nearer than this, in ranges of the parameters, are the same.
 constexpr double kOneGrazing = 1e-9;
 
-// An approach beside the impact that vanishes touches to v^2/2a, which is zero within what gaps are
-// known to (still_gap, 1e-12 of the motion's length) up to this part of its speed.
+// An approach beside the impact that vanishes touches to v^2/2a, which is zero within the error of
+// gaps (still_gap, 1e-12 of the motion's length) up to this part of its speed.
 constexpr double kTouching = 1.5e-6;
 
-// Whether an approach touches because an impact beside it has all but vanished: then where its gap
-// passes zero is rounding.
+// Whether an approach touches because an impact beside it has nearly vanished: then the zero of its
+// gap is rounding.
 bool is_one_grazing(const LocusPlace& a, const LocusPlace& b, double unit) {
   const auto has = [](const LocusPlace& place, LocusMargin margin) {
     return place.boundary == margin;

@@ -10,8 +10,8 @@
 namespace graze {
 namespace {
 
-// An impact slower than this part of the forced motion's speed is one that vanishes, a gap below
-// this part of the length scale one that is touched. Located points have them to rounding.
+// An impact slower than this part of the forced motion's speed counts as vanishing, a gap below
+// this part of the length scale as touched. Located points have them to rounding.
 constexpr double kVanishing = 1e-9;
 
 GrazingOrbit orbit_at(const OrbitLocus& locus, const OrbitLocusPoint& at) {
@@ -21,7 +21,7 @@ GrazingOrbit orbit_at(const OrbitLocus& locus, const OrbitLocusPoint& at) {
   return {orbit.pattern(), orbit.points(), 0};
 }
 
-// Of every impact, m/s, whichever way it goes.
+// Absolute values of the speeds of all impacts, m/s.
 Vector sizes_of_speeds(const System& system, const GrazingOrbit& orbit) {
   return approach_speeds(system, orbit.pattern, orbit.impacts).cwiseAbs();
 }
@@ -36,7 +36,7 @@ bool vanishes(const System& system, const GrazingOrbit& orbit, double speed_unit
   return sizes_of_speeds(system, orbit).minCoeff() <= kVanishing * speed_unit;
 }
 
-// The same, written from its grazing contact on.
+// The same orbit, relabelled to start with its grazing contact.
 GrazingOrbit from_its_grazing(GrazingOrbit orbit) {
   const int period = orbit.pattern.period;
   return {turned(std::move(orbit.pattern), orbit.grazing),
@@ -49,7 +49,7 @@ bool touches(const System& system, const GrazingOrbit& orbit) {
   return clearance && std::abs(*clearance) <= kVanishing * motion_scale(system).length;
 }
 
-// The kinds that meet on a locus of one kind at a point of this name.
+// The kinds that meet a locus of one kind at a point with this label.
 std::vector<OrbitLocusKind> others_at(OrbitLocusKind kind, const std::string& label) {
   using Kind = OrbitLocusKind;
   if (label == "R1") return {kind == Kind::kTorus ? Kind::kFold : Kind::kTorus};
@@ -63,7 +63,7 @@ std::vector<OrbitLocusKind> others_at(OrbitLocusKind kind, const std::string& la
 }
 
 // The orbit from its grazing contact on: an impact whose speed vanishes (`by_speed`) or the nearest
-// approach. Nothing where there is no approach.
+// approach. Returns nullopt when there is no approach.
 std::optional<GrazingOrbit> from_grazing(const System& system, const GrazingOrbit& orbit,
                                          bool by_speed) {
   std::optional<GrazingOrbit> grazing = orbit;
@@ -72,17 +72,17 @@ std::optional<GrazingOrbit> from_grazing(const System& system, const GrazingOrbi
   else
     grazing = with_grazing(system, orbit.pattern, orbit.impacts);
   if (!grazing) return {};
-  // A touch alone is that of the motion without impacts, which repeats every period.
+  // An orbit that only touches is the motion without impacts, which repeats every period.
   if (grazing->pattern.impacts() == 1) grazing->pattern.period = 1;
   return from_its_grazing(std::move(*grazing));
 }
 
-// As loci of folds, doublings and tori start from it.
+// The order in which loci of folds, doublings and tori start from it.
 GrazingOrbit in_canonical_order(const GrazingOrbit& orbit) {
   return {canonical(orbit.pattern), in_canonical_order(orbit.pattern, orbit.impacts), 0};
 }
 
-// Where an orbit touches twice, with the grazing contact that the locus is not of.
+// Where an orbit touches twice, the orbit with the grazing contact that the locus is not of.
 std::optional<GrazingOrbit> other_grazing(const System& system, GrazingOrbit orbit,
                                           double speed_unit) {
   orbit.grazing = slowest(system, orbit);
@@ -96,7 +96,7 @@ std::optional<GrazingOrbit> other_grazing(const System& system, GrazingOrbit orb
       beside->theta + beside->after * system.forcing()->frequency,
       transition(system, flow, beside->start, beside->theta, beside->after).end};
   if (without.impacts.empty()) return GrazingOrbit{{1, {beside->stop}}, {grazing}, 0};
-  // Among the impacts left, after the one that its flight leaves.
+  // Its place among the remaining impacts, after the one that its flight starts from.
   const std::size_t place = beside->impact - (orbit.grazing < beside->impact ? 1 : 0) + 1;
   const auto at = static_cast<std::ptrdiff_t>(place);
   without.impacts.insert(without.impacts.begin() + at, grazing);

@@ -1,5 +1,5 @@
-// What other loci pass a special point of a locus: from a point of codimension two on one kind they
-// are started on the others, so that a locus which no slice meets is found where it meets another.
+// Loci that pass a special point of another locus: they are started at its points of codimension
+// two, so that a locus which no slice meets is found where it meets another.
 #pragma once
 
 #include <vector>
@@ -18,9 +18,9 @@ struct OrbitLocusStart {
   std::optional<Orbit> followed{};  // in place of `orbit`: one that is followed
 };
 
-// An orbit at a special point as a start of its locus. For one of grazing it is written from its
-// touch on, an impact whose speed vanishes (`by_speed`) or the nearest approach; nothing where
-// there is no approach. `system`: at these values.
+// An orbit at a special point as a start of its locus. For a locus of grazing it is relabelled to
+// start with its touch, an impact whose speed vanishes (`by_speed`) or the nearest approach;
+// returns nullopt when there is no approach. `system`: at these values.
 struct LocusStartPlace {
   double first = 0.0, second = 0.0;
   Complex multiplier = 1.0;  // the critical one

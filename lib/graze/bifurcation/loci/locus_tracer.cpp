@@ -18,7 +18,7 @@
 namespace graze {
 namespace {
 
-// Of the pair nearest to the unit circle but for the critical one; nothing where there is no pair.
+// Angle of the non-critical pair nearest to the unit circle; nullopt when there is no pair.
 std::optional<double> other_angle(const std::vector<Eigenvalue>& multipliers, double critical) {
   constexpr double kSame = 1e-6;  // rad; the critical multiplier is exact
   std::optional<double> angle;
@@ -72,7 +72,7 @@ LocusAnswer LocusTracer::trace(const OrbitLocusStart& start) {
   return is_along(start.kind) ? trace_along(start) : trace_critical(start);
 }
 
-// Once the search is to end, no motion is followed, and a start that was one is none any more.
+// Once the search is to end, motions cannot be followed, so that no start can be evaluated.
 void LocusTracer::know(const OrbitLocusStart& start, LocusAnswer answer) {
   if (answer.critical) {
     const std::vector<Written> list = written(start);
@@ -95,7 +95,7 @@ void LocusTracer::know(const OrbitLocusStart& start, LocusAnswer answer) {
 std::vector<OrbitProblems::Written> LocusTracer::written(const OrbitLocusStart& start) {
   if (start.followed) {
     Orbit orbit = *start.followed;
-    // Slices have closure speeds of their own, but what lies in one plane is to be told apart.
+    // Slices have closure speeds of their own, but all loci in one plane must use the same.
     if (!closure_speed_) closure_speed_ = orbit.section->closure_speed;
     orbit.section->closure_speed = *closure_speed_;
     return problems_.written(orbit, std::array{start.first, start.second});
@@ -168,7 +168,7 @@ LocusTrace LocusTracer::as_trace(OrbitLocusKind kind, const LocusOrbits& orbits,
   return assembled(std::move(frame), orbits, sites, locus.ends, std::move(within));
 }
 
-// The points of a locus, and between them what lies within its steps, in order.
+// The points of a locus, with the places within its steps between them, in order.
 LocusTrace LocusTracer::assembled(OrbitLocus frame, const LocusOrbits& orbits,
                                   const std::vector<LocusSite>& sites, std::array<LocusEnd, 2> ends,
                                   std::vector<Within> within) const {
@@ -213,7 +213,7 @@ LocusTracer::CurveStart LocusTracer::curve_at(const OrbitLocusStart& start) {
   return start.followed ? segment_grazing(start) : flight_grazing(start);
 }
 
-// From the grazing contact on.
+// Starts at the grazing contact.
 LocusTracer::CurveStart LocusTracer::flight_grazing(const OrbitLocusStart& start) {
   LaidOrbits& orbits = problems_.flights(start.orbit.pattern);
   const auto& flights = dynamic_cast<const FlightEquations&>(*orbits.problem);
@@ -226,7 +226,7 @@ LocusTracer::CurveStart LocusTracer::flight_grazing(const OrbitLocusStart& start
   return {&curves, y};
 }
 
-// A touch alone is that of the motion without contacts, which repeats every period.
+// An orbit that only touches is the motion without contacts, which repeats every period.
 LocusTracer::CurveStart LocusTracer::segment_grazing(const OrbitLocusStart& start) {
   const std::vector<Written> list = written(start);
   if (list.empty()) return {};
@@ -256,7 +256,7 @@ LocusTracer::CurveStart LocusTracer::segment_grazing(const OrbitLocusStart& star
   return {&curves, y};
 }
 
-// At the release of the stuck phase that shrinks to nothing.
+// Starts at the release of the stuck phase that shrinks to nothing.
 LocusTracer::CurveStart LocusTracer::completion(const OrbitLocusStart& start) {
   if (!start.followed) return {};
   const std::vector<Written> list = written(start);

@@ -36,8 +36,8 @@ std::optional<OrbitLocusKind> locus_kind(SpecialKind kind) {
   return {};
 }
 
-// Places in the plane nearer than this, in ranges of the parameters, are one: next to where loci
-// meet their equations are singular, and known to about the square root of rounding.
+// Places in the plane nearer than this, in ranges of the parameters, are the same: where loci meet,
+// their equations are singular and solutions have errors of about the square root of rounding.
 constexpr double kOnePlace = 1e-7;
 
 LocusOptions options_of(const LociOptions& options) {
@@ -100,7 +100,7 @@ class LociTracer {
     }
   }
 
-  // The scene's own where it is in the range, and values in the middle of equal parts of that.
+  // The scene's own value where it is in the range, and the midpoints of equal parts of the range.
   std::vector<double> values(double own, double from, double to) const {
     std::vector<double> list;
     if (own >= std::min(from, to) && own <= std::max(from, to)) list.push_back(own);
@@ -109,7 +109,7 @@ class LociTracer {
     return list;
   }
 
-  // Loci, and of each kind their special points, from 1.
+  // Numbers loci, and the special points of each kind, from 1.
   void number() {
     std::map<std::string, int> counts;
     int id = 0;
@@ -124,7 +124,7 @@ class LociTracer {
     if (options_.branches.progress) options_.branches.progress(result_.slices / all);
   }
 
-  // Loci from the branches over one parameter, where the other one has a value.
+  // Starts loci from the branches over one parameter at a fixed value of the other.
   void slice(const std::string& fixed, double value, const std::string& parameter, double from,
              double to) {
     if (options_.branches.stop.requested()) return;
@@ -139,8 +139,8 @@ class LociTracer {
     branches.to = to;
     if (parameter != result_.first) branches.max_step = 0.0;
     branches.progress = nullptr;
-    // Random guesses cost more than all else: on the first slice only, the scene's own where that
-    // is in the ranges.
+    // Random guesses cost more than all else: they are made on the first slice only, at the scene's
+    // own value where that is in the ranges.
     branches.finder.from_random = branches.finder.from_random && result_.slices == 0;
     ++result_.slices;
     const OrbitBranches traced = trace_orbits(*family, branches);
@@ -170,8 +170,9 @@ class LociTracer {
     return std::find(options_.kinds.begin(), options_.kinds.end(), kind) != options_.kinds.end();
   }
 
-  // Its locus, and those that meet it. Loci of several starts in a row are traced at once; what one
-  // that came before has traced meanwhile is given up, so that their number changes nothing.
+  // Traces the locus of a start, and those that meet it. Loci of several starts in a row are traced
+  // at once; a trace that an earlier one has made superfluous is dropped, so that the number of
+  // threads does not change the result.
   void begin(const OrbitLocusStart& start) {
     std::deque<OrbitLocusStart> starts{start};
     while (!starts.empty() && !options_.branches.stop.requested()) {
@@ -214,7 +215,7 @@ class LociTracer {
 
   void add_continuations(const OrbitLocus& locus, const OrbitLocusSpecial& special,
                          std::deque<OrbitLocusStart>& starts) {
-    // Of orbits that are followed no continuations are known.
+    // Continuations are not implemented for orbits that are followed.
     if (special.at.section || (!special.at.admissible && !options_.branches.keep_virtual)) return;
     const System* system = systems_.at(std::array{special.at.value, special.at.second});
     if (!system) return;
@@ -236,8 +237,8 @@ class LociTracer {
     tracer_.know(start, std::move(answer));
   }
 
-  // What was started where several loci meet may creep about there; one that was stopped has only
-  // begun.
+  // A trace started where several loci meet may stay near that point; one that was stopped may have
+  // only begun.
   bool is_a_point(const OrbitLocus& locus) const {
     const OrbitLocusPoint& first = locus.points.front();
     if (std::ranges::any_of(locus.ends, [](OrbitLocusEnd end) {
@@ -256,7 +257,7 @@ class LociTracer {
   LocusOptions range_;
   SegmentOptions segment_;
   LocusTracer tracer_;              // knows what has been traced
-  std::deque<LocusTracer> beside_;  // trace beside it, each on a thread of its own
+  std::deque<LocusTracer> beside_;  // each traces on a thread of its own
   OrbitLoci result_;
 };
 

@@ -10,14 +10,14 @@
 namespace graze {
 namespace {
 
-// Whether the orbits of a branch that sticks are none on one side of such a point, so that the
-// motion from there need not repeat it.
+// Whether a branch that sticks ends at such a point, so that the motion started there need not
+// repeat the orbit.
 bool is_boundary(SpecialKind kind) {
   return kind == SpecialKind::kChatterCompletes || kind == SpecialKind::kLiftOff ||
          kind == SpecialKind::kGrazing;
 }
 
-// The point of a branch next to one that is a special point of it.
+// The point of a branch next to one of its special points.
 const OrbitBranchPoint& beside(const OrbitBranch& branch, const SpecialPoint& special) {
   const auto here =
       std::find_if(branch.points.begin(), branch.points.end(),

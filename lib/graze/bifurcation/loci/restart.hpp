@@ -1,4 +1,4 @@
-// The special points of what was traced, as what can be gone on from.
+// The special points of traced branches and loci as restart points.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,14 @@
 
 namespace graze {
 
-// Of all branches, in their order. `system`: any of the family's.
+// Those of all branches, in their order. `system`: any of the family's.
 std::vector<SpecialOrbit> special_orbits(const OrbitBranches& traced, const System& system);
 
-// Of all loci, in their order.
+// Those of all loci, in their order.
 std::vector<SpecialOrbit> special_orbits(const OrbitLoci& traced);
 
-// The locus that a special point lies on, as a start of it over two parameters with these values
-// there. Nothing where it has none: a point of a branch that is none of LP, PD, NS and GR, whose
+// A start of the locus that a special point lies on, over two parameters with these values there.
+// Returns nullopt when it has none: a point of a branch that is not LP, PD, NS or GR, or whose
 // orbit sticks or begins to.
 std::optional<OrbitLocusStart> locus_start(const System& system, const SpecialOrbit& special,
                                            double first, double second);

@@ -8,10 +8,10 @@
 namespace graze {
 namespace {
 
-// To what its equations are solved.
+// Tolerance of its equations.
 constexpr double kTolerance = 1e-11;
 
-// What orbits with a grazing contact are asked, whatever sections they have.
+// The part that orbits with a grazing contact share, whatever their sections.
 class GrazingAtStop {
  public:
   GrazingAtStop(const SegmentEquations& equations, int stop) : equations_(equations), stop_(stop) {}
@@ -23,7 +23,7 @@ class GrazingAtStop {
     return equations_.without_grazing(unknown(at), std::array{at.first, at.second}, stop_);
   }
   // A touch from outside, where the gap has a minimum, and one from within a contact, which a
-  // maximum parts in two, are two things.
+  // maximum splits in two, are different loci.
   bool stays_what_it_is(const LocusSite& previous, const LocusSite& here) const {
     return push(previous) * push(here) > 0.0;
   }
@@ -107,7 +107,7 @@ SegmentGrazing::SegmentGrazing(const SegmentEquations& equations, int stop)
 }
 
 std::vector<SolutionPoint> SegmentGrazing::rewritings(const SolutionPoint& point) const {
-  // The other sections at a release are other equations.
+  // Other sections at the release belong to other equations.
   const auto layout = std::get<SegmentLayout>(equations_.orbit_layout());
   if (layout.released) return {point};
   const Eigen::Index size = problem_.first, n = size / equations_.period();

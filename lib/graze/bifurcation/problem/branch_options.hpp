@@ -1,4 +1,4 @@
-// What branches of orbits (orbit_branches.hpp) are asked for with.
+// Options of branches of orbits (orbit_branches.hpp).
 #pragma once
 
 #include <functional>
@@ -22,23 +22,24 @@ struct SettledStart {
 struct BranchOptions {
   int period = 1;   // p
   int impacts = 1;  // k, on all stops together; 0: none are sought
-  // The response that meets no stop too, where it is clear of them (period 1).
+  // Also the response that meets no stop, where it is clear of them (period 1).
   bool response = false;
   double from = 0.0, to = 0.0;
   double max_step = 0.0;  // of the parameter; 0: a fiftieth of the range
-  // Start values across the range, besides the scene's own; with any, also the starts that a survey
-  // of the closed form offers.
+  // Start values across the range, besides the scene's own; if there are any, also the starts of a
+  // survey of the closed form.
   int start_values = 32;
   bool keep_virtual = false;
-  // Orbits that stick too, whatever their number of impacts, with period p; sought by simulation.
+  // Also orbits that stick, of any number of impacts, with period p; searched for by simulation.
   bool sticking = true;
-  // How many special points in a row are switched at, onto doubled orbits (PD), crossing branches
-  // (BP), rewritten impact sequences (GR), and where they stick onto orbits with an impact (GR) or
-  // a stuck phase (CH) more or less, or those of the first windows beyond CH; 0: none.
+  // Number of successive special points at which to switch: onto doubled orbits (PD), crossing
+  // branches (BP), other impact sequences (GR), and for orbits that stick onto orbits with an
+  // impact (GR) or a stuck phase (CH) more or less, or those of the first windows beyond CH; 0:
+  // none.
   int follow_depth = 0;
-  // Branches through what these motions repeat too, whatever its period and impacts.
+  // Also branches through the orbits of these motions, whatever their period and impacts.
   std::vector<SettledStart> settled{};
-  // In place of all starts: only the branch through it, and those that `follow_depth` leads to.
+  // Instead of all starts: only the branch through it, and those that `follow_depth` leads to.
   std::optional<BranchStart> start{};
   FinderOptions finder{};  // starts, at the scene's own value
   StopSignal stop{};

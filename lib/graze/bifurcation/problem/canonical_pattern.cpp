@@ -9,7 +9,7 @@
 namespace graze {
 namespace {
 
-// How many impacts the canonical order begins later.
+// The index of the impact with which the canonical order begins.
 std::size_t canonical_start(const std::vector<int>& stops) {
   std::size_t best = 0;
   for (std::size_t turn = 1; turn < stops.size(); ++turn)

@@ -44,7 +44,7 @@ std::vector<GrazingContact> SegmentEquations::grazing_contacts_near(
   return grazings;
 }
 
-// A section at a release lies at the phase u[0], and one segment goes all the way round.
+// A section at a release lies at the phase u[0], and one segment covers the whole orbit.
 SegmentEquations::Place SegmentEquations::place_of(const Vector& y) const {
   const double psi = y[y.size() - 1];
   if (layout().released) {
@@ -99,7 +99,7 @@ std::optional<ZeroEvaluation> SegmentEquations::grazing(const Vector& y, Paramet
   if (!at) return {};
   const auto index = static_cast<std::size_t>(stop);
   const Stop& met = system.stops[index];
-  // Of a state's rate, by the unit of depths and that of speeds.
+  // Gap and approach speed of a state's rate, in units of depths and speeds.
   const auto seen = [&](const State& rate) {
     return Eigen::Vector2d(met.row.dot(rate.q) / length(), met.row.dot(rate.qdot) / speed_unit());
   };

@@ -1,6 +1,5 @@
-// An orbit that grazes, with the impact at zero speed that its grazing contact is: a special point
-// GR seen from either side, before an approach touches or after an impact was born, is one and the
-// same.
+// An orbit that grazes, with its grazing contact as an impact at zero speed: a special point GR is
+// the same whether it is reached before an approach touches or after an impact is born.
 #pragma once
 
 #include <optional>
@@ -16,12 +15,12 @@ struct GrazingOrbit {
   std::size_t grazing = 0;  // the impact that has no speed
 };
 
-// The orbit whose nearest approach touches, with that as an impact after the one it follows.
-// Nothing where no gap has an interior minimum.
+// The orbit whose nearest approach touches, with that as an additional impact in order. Returns
+// nullopt when no gap has an interior minimum.
 std::optional<GrazingOrbit> with_grazing(const System& system, const ImpactPattern& pattern,
                                          const std::vector<ImpactPoint>& impacts);
 
-// The orbit without that impact; with no impacts at all where there was no other.
+// The orbit without that impact; without any impacts if there was no other.
 GrazingOrbit without_grazing(GrazingOrbit orbit);
 
 }  // namespace graze

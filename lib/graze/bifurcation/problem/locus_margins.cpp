@@ -14,9 +14,9 @@ namespace {
 
 Eigen::Index at(LocusMargin margin) { return static_cast<Eigen::Index>(margin); }
 
-// A flight between impacts that have a speed, or all of a period where there are none.
+// A flight between impacts with nonzero speed, or a whole period where there are none.
 struct RealFlight {
-  std::size_t impact = 0;  // it comes after; where there are none the grazing contact
+  std::size_t impact = 0;  // the impact before it; where there are none the grazing contact
   State start;
   double theta = 0.0, duration = 0.0;  // rad, s
   int leaves = -1;                     // the stop, where it leaves one
@@ -28,7 +28,7 @@ std::vector<RealFlight> real_flights(const System& system, const ExactFlow<doubl
                                      const std::vector<ImpactPoint>& impacts, std::size_t grazing) {
   const double frequency = system.forcing()->frequency;
   if (impacts.size() == 1) {
-    // From half a period after the grazing contact on.
+    // Starts half a period after the grazing contact.
     const double half = 0.5 * pattern.period * system.period();
     const State start = transition(system, flow, impacts[0].before, impacts[0].theta, half).end;
     return {{0, start, impacts[0].theta + frequency * half, 2.0 * half, -1, half}};

@@ -15,7 +15,7 @@ std::optional<OptionFault> fault_in_range(const BranchOptions& options) {
   const double width = std::abs(options.to - options.from);
   if (!std::isfinite(width)) return OptionFault{"from, to", "the range must be of finite numbers"};
   if (width == 0.0) return OptionFault{"from, to", "the range must not be empty"};
-  // A step, the fiftieth part, has to be told apart from none in the parameter's last digits.
+  // A step, a fiftieth of the range, must change the parameter by more than its last digits.
   const double coarsest = 1e3 * std::numeric_limits<double>::epsilon() * 50.0 *
                           std::max(std::abs(options.from), std::abs(options.to));
   if (width < coarsest)

@@ -1,5 +1,5 @@
-// What keeps branches from being traced with the options given, in one sentence for all who ask:
-// trace_orbits() throws it, the program prints it of its own options.
+// What is wrong with options of branches, as one sentence for all callers: trace_orbits() throws
+// it, the program prints it for its own options.
 #pragma once
 
 #include <optional>
@@ -14,11 +14,11 @@ struct OptionFault {
   std::string sentence;
 
   std::string text() const { return members + ": " + sentence; }
-  // Of the program's options: "--from, --to: the range must not be empty".
+  // In terms of the program's options: "--from, --to: the range must not be empty".
   std::string text_of_program() const;
 };
 
-// The first one; nothing where there is none. Parameter values are in the parameter's unit.
+// The first fault; nullopt when there is none. Parameter values are in the parameter's unit.
 std::optional<OptionFault> fault_in(const BranchOptions& options);
 
 }  // namespace graze

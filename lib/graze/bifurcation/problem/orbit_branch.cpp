@@ -81,7 +81,7 @@ OrbitBranchEnd as_orbit_end(BranchEnd end) {
       return OrbitBranchEnd::kParameterLimit;
     case BranchEnd::kClosed:
       return OrbitBranchEnd::kClosed;
-    case BranchEnd::kStart:  // from a doubling alone branches are traced one way
+    case BranchEnd::kStart:  // only branches from a doubling are traced one way
       return OrbitBranchEnd::kPeriodDoubling;
     case BranchEnd::kStepLimit:
       return OrbitBranchEnd::kStepLimit;

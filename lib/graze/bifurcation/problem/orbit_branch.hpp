@@ -1,5 +1,5 @@
-// A branch of periodic orbits as a value: its points, its special points, how it ends; and how
-// solutions of a zero problem (branch_values.hpp) become part of one.
+// A branch of periodic orbits as a value: its points, its special points, how it ends; and the
+// conversion of solutions of a zero problem (branch_values.hpp) into such values.
 #pragma once
 
 #include <array>
@@ -38,15 +38,15 @@ struct SpecialPoint {
   std::optional<Complex> multiplier;  // the critical one
   // For a grazing: whether an impact speed vanishes there (else an interior approach touches).
   bool by_speed = false;
-  SolutionPoint solution;  // of the shooting equations, to go on from
+  SolutionPoint solution;  // of the shooting equations, to continue from
   // For CH: whether a contact force touches zero within a stuck phase and cuts it in two (else one
   // shrinks to nothing).
   bool interrupted = false;
   // For a grazing: whether an impact that leaves its stop at rest (r = 0) begins to stick there.
   bool by_push = false;
 
-  // Phase, rad, and approach speed, m/s, of the orbit's first impact; of a lift-off those of the
-  // flight that shrinks to nothing. Nothing where there is neither.
+  // Phase, rad, and approach speed, m/s, of the orbit's first impact; for a lift-off those of the
+  // flight that shrinks to nothing. Returns nullopt when there is neither.
   struct Impact {
     double phase = 0.0, speed = 0.0;
   };
@@ -58,7 +58,7 @@ enum class OrbitBranchEnd {
   kClosed,
   kGrazing,
   kChatterCompletes,
-  kAtRest,          // beyond the lift-off there, the structure is held on the stop for ever
+  kAtRest,          // beyond the lift-off there, the structure stays at rest on the stop
   kPeriodDoubling,  // where it joins orbits of half the period
   kImpactsMeet,     // a flight from impact to impact shrinks to nothing: their order would change
   kStepLimit,
@@ -70,8 +70,9 @@ enum class OrbitBranchEnd {
 struct OrbitBranch {
   int id = 0;             // from 1
   int component = 0;      // connected set of solutions it is part of, from 1
-  ImpactPattern pattern;  // its stops empty where the orbits stick: no number of impacts is theirs
-  // Of orbits that stick: the stops that are closed by a chatter, in time order.
+  ImpactPattern pattern;  // its stops are empty for orbits that stick, whose number of impacts
+                          // varies
+  // For orbits that stick: the stops that are closed by a chatter, in time order.
   std::vector<int> sticking;
   std::string origin;                    // id of the special point it was switched onto from, or ""
   std::vector<OrbitBranchPoint> points;  // in order along the branch, special points among them
@@ -84,18 +85,18 @@ struct OrbitBranch {
 // An orbit as a point of a branch.
 OrbitBranchPoint point_of_branch(double value, Orbit orbit);
 
-// Whether a special point of the equations is one of orbits too: where branches of orbits cross, a
-// multiplier is 1. Beside a grazing of orbits that stick the map's derivative jumps, and the
-// orientation with it; and where an amplitude passes zero, orbits shrink to a point of rest that is
-// a solution at every phase.
+// Whether a special point of the equations is a special point of orbits, too: where branches of
+// orbits cross, a multiplier is 1. Beside a grazing of orbits that stick the map's derivative
+// jumps, and the orientation with it; and where an amplitude passes zero, orbits shrink to a point
+// of rest that is a solution at every phase.
 bool is_of_orbits(const CriticalPoint& critical);
-// The orbit there: its critical multipliers are on the unit circle, to whichever side of it
-// rounding has put them.
+// The orbit there: its critical multipliers are on the unit circle, on whichever side rounding has
+// put them.
 OrbitBranchPoint with_critical(OrbitBranchPoint at, const CriticalPoint& critical);
-// That special point, unnamed; `at`: that orbit.
+// That special point, without a name; `at`: that orbit.
 SpecialPoint as_special(const CriticalPoint& critical, OrbitBranchPoint at);
 
-// What an end of a traced branch is called where it is one of orbits.
+// The end of a branch of orbits that corresponds to the end of a traced branch.
 OrbitBranchEnd as_orbit_end(BranchEnd end);
 
 }  // namespace graze

@@ -30,12 +30,13 @@ const char* label_of(OrbitLocusKind kind);
 struct OrbitLocusPoint {
   double value = 0.0, second = 0.0;  // of both parameters
   double angle = 0.0;                // of the critical multiplier, rad; 0 on GR
-  // Of the orbit, in time order as in Orbit; on GR the one that touches among them, at zero speed.
+  // Impacts of the orbit, in time order as in Orbit; on GR including the one that touches, at zero
+  // speed.
   std::vector<OrbitImpact> impacts;
-  // Clear of every stop between the impacts, every impact speed positive but for the one that
-  // vanishes on GR, none sticks.
+  // Whether it is clear of every stop between the impacts, with positive impact speeds except the
+  // one that vanishes on GR, and does not stick.
   bool admissible = false;
-  // Of an orbit that is followed, whose impacts do not tell it.
+  // For an orbit that is followed, which its impacts do not define.
   std::vector<StickingPhase> sticking{};
   std::optional<OrbitSection> section{};
 };
@@ -53,7 +54,7 @@ enum class OrbitLocusEnd {
   kFirstLimit,   // of the first parameter
   kSecondLimit,  // of the second
   kClosed,
-  kGrazing,           // beyond it the orbits are none of the system
+  kGrazing,           // beyond it solutions are virtual
   kImpactsMeet,       // a flight from impact to impact shrinks to nothing
   kChatterCompletes,  // beyond it the stuck phases are others
   kResonance,         // of NS: its pair becomes real
@@ -66,8 +67,8 @@ enum class OrbitLocusEnd {
 struct OrbitLocus {
   int id = 0;  // from 1
   OrbitLocusKind kind = OrbitLocusKind::kFold;
-  // Of the impacts at its points, on GR with the grazing contact; where the orbits stick, whose
-  // impacts come and go, in place of these its stuck phases.
+  // The impacts at its points, on GR with the grazing contact; for orbits that stick, whose impacts
+  // come and go, its stuck phases instead.
   ImpactPattern pattern;
   std::vector<OrbitLocusPoint> points;  // in order along the locus, special points among them
   std::vector<OrbitLocusSpecial> special;
@@ -76,12 +77,12 @@ struct OrbitLocus {
   bool sticks() const { return !points.empty() && !points.front().sticking.empty(); }
 };
 
-// A locus of critical orbits as one of equations; requires a kind that multipliers tell, LP, PD,
-// NS.
+// The locus of equations that corresponds to a locus of critical orbits; requires a kind with a
+// critical multiplier, LP, PD, NS.
 LocusKind as_locus_kind(OrbitLocusKind kind);
 
-// What an end of a traced locus is called where it is one of orbits. One that was asked to halt has
-// come to where its orbits meet no stop any more.
+// The end of a locus of orbits that corresponds to the end of a traced locus. A trace that was
+// halted has reached orbits that meet no stop any more.
 OrbitLocusEnd as_orbit_end(LocusEnd end);
 
 }  // namespace graze

@@ -8,8 +8,8 @@
 namespace graze {
 namespace {
 
-// Halves nearer than this are one: solutions are known to about the square root of eps where they
-// are least well determined.
+// Halves nearer than this are the same: solutions are known to about the square root of eps where
+// they are least well determined.
 double rounding_of(const SolutionPoint& solution) {
   return kShootingAccuracy * (1.0 + solution.u.norm());
 }
@@ -55,8 +55,8 @@ bool OrbitProblem::is_half(const SolutionPoint& solution) const {
   return difference.size() > 0 && difference.norm() <= rounding_of(solution);
 }
 
-// That difference passes zero there and comes out the other way round; beyond are the same orbits
-// again, half a period later. What is no larger than rounding says nothing.
+// The difference passes zero there and changes its sign; beyond are the same orbits again, half a
+// period later. Differences within rounding do not count.
 bool OrbitProblem::passes_half(const SolutionPoint& a, const SolutionPoint& b) const {
   const Vector before = halves_differ(a), now = halves_differ(b);
   return before.size() > 0 && before.size() == now.size() &&

@@ -33,7 +33,7 @@ std::optional<ShootingLinearisation> ResponseEquations::linearise(
   if (!response) return {};
   const Eigen::Index n = system.modes();
   const double frequency = system.forcing()->frequency;
-  // A free motion over a period, of each mode from its displacement and from its velocity.
+  // The free motion over a period, of each mode from its displacement and from its velocity.
   System free = system;
   free.stops.clear();
   free.modal().forcing.reset();

@@ -15,25 +15,25 @@ namespace graze {
 
 namespace {
 
-// On rigid stops alone they are the closed forms of flights, to rounding.
+// On rigid stops alone slopes are closed forms of flights, accurate to rounding.
 constexpr double kRigidAccuracy = 4.0 * std::numeric_limits<double>::epsilon();
-// The test for a multiplier is formed from slopes: it vanishes to what these are known to, times
-// what solving with them costs.
+// The test for a multiplier is formed from slopes: it vanishes to their error times the loss by
+// solving with them.
 constexpr double kCritical = 1e3 * kMapAccuracy;
 
-// Slopes of the map are smooth but where a contact is born, or passes a section: beside that they
-// go with the root of the distance, as the duration of the contact does. Over steps of x of the
-// distance a central difference errs by x^2/8: by 5 % over .6 of it, where durations differ
-// twofold, which leads no more than Newton's method; by 5e-5 over .02, as tangents need it, along
-// which a locus is predicted.
+// Slopes of the map are smooth except where a contact is born, or passes a section: beside that
+// they vary with the root of the distance, as the duration of the contact does. Over steps of x
+// times the distance a central difference has an error of x^2/8: 5 % for x = .6, where durations
+// differ twofold, which is enough for Newton's method; 5e-5 for x = .02, as needed for tangents,
+// along which a locus is predicted.
 constexpr double kLikeDuration = 2.0;
 constexpr double kReach = 0.02;
-// A step that reaches too far is taken so many times shorter, until its ends do not differ by more
-// than this part of it for rounding alone: what leads Newton's method need not be known better.
+// A step that reaches too far is taken shorter by this factor, until rounding alone makes its ends
+// differ by this part of their difference: Newton's method needs no more accuracy.
 constexpr double kShorter = 1.0 / 8.0;
 constexpr double kLostDigits = 1e-2;
 
-// Whether motions have the same contacts, none of them all but lost in one of them.
+// Whether motions have the same contacts, none of which has almost vanished in one of them.
 bool are_alike(const std::vector<PassedContact>& some, const std::vector<PassedContact>& others) {
   return std::ranges::equal(some, others, [](const PassedContact& a, const PassedContact& b) {
     const auto [shorter, longer] = std::minmax(a.duration, b.duration);
@@ -42,7 +42,7 @@ bool are_alike(const std::vector<PassedContact>& some, const std::vector<PassedC
   });
 }
 
-// What part of their distance from there two such motions are apart, by their durations.
+// The difference of two such motions relative to their distance from there, by their durations.
 double reach_of(const std::vector<PassedContact>& some, const std::vector<PassedContact>& others) {
   double reach = 0.0;
   for (std::size_t i = 0; i < some.size(); ++i) {
@@ -55,8 +55,8 @@ double reach_of(const std::vector<PassedContact>& some, const std::vector<Passed
 
 bool is_smooth(const Stop& stop) { return stop.is_compliant() && stop.force().sets_in_smoothly(); }
 
-// The phase farthest from the beginnings and ends of contacts, `jumps`: of those with a jump of the
-// derivative alone, as a forcing phase, rad; nothing where there are none, or where theta lies at
+// The forcing phase, rad, farthest from the beginnings and ends of contacts; with `jumps` only of
+// those at which the derivative jumps. Returns nullopt when there are none, or when theta is at
 // least a part of that far from them.
 std::optional<double> section_clear_of(const System& system,
                                        const std::vector<OrbitImpact>& impacts, double theta,
@@ -130,7 +130,7 @@ std::vector<Eigenvalue> SegmentEquations::multipliers(const System& system, cons
   return shooting_.multipliers(system, u, errors);
 }
 
-// By central differences, each over the sections that it moves.
+// By central differences, each over the sections that depend on it.
 std::optional<Eigen::MatrixXcd> SegmentEquations::curvature(
     const Vector& u, Parameters at, const std::vector<CriticalProduct>& products) const {
   std::vector<SegmentProduct> list;
@@ -166,8 +166,8 @@ std::optional<ComplexVector> SegmentEquations::products_rate(
     if (!system) return {};
     return shooting_.products(*system, moved, section, list);
   };
-  // Differences of slopes err least over steps of the cube root of what these are known to, in
-  // units of the unknowns and of the parameters.
+  // Differences of slopes have the smallest error over steps of the cube root of the slopes' error,
+  // in units of the unknowns and of the parameters.
   const double accuracy = layout().closed.empty() ? kMapAccuracy : kRigidAccuracy;
   const double unit = j < n ? 1.0 : units_[static_cast<std::size_t>(j - n)];
   std::optional<ComplexVector> rate;
@@ -348,7 +348,7 @@ SolutionPoint SegmentEquations::twice_round(const SolutionPoint& solution) const
 }
 
 std::unique_ptr<OrbitProblem> SegmentEquations::clearer(const SolutionPoint& solution) const {
-  // A release lies where it lies.
+  // A section at a release cannot be moved.
   const std::optional<double> section =
       layout().released ? std::nullopt : clearer_section(solution);
   return section ? at_section(*section) : nullptr;

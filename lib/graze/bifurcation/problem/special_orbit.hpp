@@ -1,5 +1,5 @@
-// A special point with its full orbit, apart from the branch or the locus it was found on: what it
-// takes to go on from there, in the same parameter or in another.
+// A special point with its full orbit, apart from the branch or the locus it was found on: all that
+// is needed to continue from there, in the same parameter or in another.
 #pragma once
 
 #include <optional>
@@ -17,13 +17,13 @@ struct SegmentOptions;
 struct SpecialOrbit {
   std::string id, label;                  // "PD1", "PD"; on a locus "CP-1", "CP"
   std::optional<SpecialKind> kind{};      // on a branch
-  std::optional<OrbitLocusKind> locus{};  // that it was found on; nothing: on a branch
+  std::optional<OrbitLocusKind> locus{};  // of the locus it was found on; nullopt: on a branch
   std::vector<double> values;             // of the parameter, on a locus of both
-  // Nothing of an orbit that sticks or is on compliant stops; on a locus of grazing with the
-  // grazing contact among the impacts.
+  // Empty for an orbit that sticks or is on compliant stops; on a locus of grazing the grazing
+  // contact is among the impacts.
   ImpactPattern pattern;
   std::vector<ImpactPoint> impacts;  // in the pattern's order
-  // The branch's direction there, however long, in the units of what it moves.
+  // The branch's direction there, of any length, in the units of its unknowns.
   struct Direction {
     std::vector<ImpactPoint> impacts;
     double value = 0.0;
@@ -33,10 +33,10 @@ struct SpecialOrbit {
   bool by_speed = false, by_push = false;  // as of SpecialPoint
   // An orbit that is followed, as the states from which the motion repeats it: one within a stuck
   // phase, or those at the starts of its forcing periods. At the ends of a branch that sticks,
-  // where it no longer does, those of the point beside.
+  // where the motion no longer sticks, those of the neighbouring point.
   struct Followed {
     int period = 1;      // p
-    double value = 0.0;  // of the parameter, on a locus of the first
+    double value = 0.0;  // of the parameter; on a locus of the first one
     std::vector<MotionState<double>> states;
     double closure_speed = 0.0;  // m/s
   };
@@ -44,16 +44,16 @@ struct SpecialOrbit {
   bool sticks() const;
 };
 
-// Of a special point that is followed: the orbit, as much of it as its equations start from.
+// For a special point that is followed: its orbit, with all that its equations need for a start.
 // `system`: at its values.
 FollowedAnswer orbit_again(const System& system, const SpecialOrbit& special,
                            SegmentOptions segment);
 
-// Where a branch is to be traced from, without any search: from a special point, at the value that
-// the family's own scene has.
+// Start of a branch without any search: a special point, at the value of the parameter in the
+// family's own scene.
 struct BranchStart {
   SpecialOrbit at;
-  bool same_parameter = false;  // as of the branch it was found on, whose direction is then known
+  bool same_parameter = false;  // of the branch it was found on, whose direction is then known
   bool switched = false;        // onto the branch that begins or crosses there
 };
 

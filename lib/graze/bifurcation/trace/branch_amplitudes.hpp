@@ -1,4 +1,4 @@
-// How large the orbits of branches are, point by point: what response curves show.
+// Amplitudes of the orbits of branches, point by point, as response curves show them.
 #pragma once
 
 #include <vector>
@@ -14,13 +14,13 @@ struct BranchAmplitudes {
   struct Measured {
     std::vector<Amplitudes> points, special;  // in their order
   };
-  std::vector<MeasuredPlace> places;  // of the scene's own value; rows may move with the parameter
+  std::vector<MeasuredPlace> places;  // of the scene's own value; rows may depend on the parameter
   std::vector<Measured> branches;     // in their order
 
   bool empty() const { return places.empty(); }
 };
 
-// On several cores, 0: all. What is not measured once it is stopped has no rows.
+// On several cores, 0: all. Points not yet measured when it is stopped have no rows.
 BranchAmplitudes measure_branches(const SystemFamily& family, const OrbitBranches& traced,
                                   int threads, const StopSignal& stop = {});
 

@@ -16,7 +16,7 @@ namespace graze {
 namespace {
 
 // The orbit of a special point; without its grazing contact where that was found on a locus of
-// grazing, unless the motion meets no stop but there.
+// grazing, unless it is the motion's only contact.
 GrazingOrbit orbit_at(const System& system, const SpecialOrbit& special) {
   GrazingOrbit orbit{special.pattern, special.impacts, 0};
   if (special.locus != OrbitLocusKind::kGrazing || orbit.impacts.size() == 1) return orbit;
@@ -40,7 +40,7 @@ SegmentOptions segment_options(const BranchOptions& options) {
   return result;
 }
 
-// Where the branch goes two ways of which one is known.
+// Whether two branches cross there, of which one is known.
 bool crosses(SpecialKind kind) {
   return kind == SpecialKind::kPeriodDoubling || kind == SpecialKind::kBranchPoint;
 }
@@ -89,13 +89,13 @@ void BranchCollector::trace_response(double value) {
 bool BranchCollector::trace_written(const Written& start, double value, Origin origin) {
   LaidOrbits& orbits = *start.orbits;
   std::optional<SolutionPoint> point = solve_at(orbits->problem(), continuation_, start.u, value);
-  // At a fold none is told by its value.
+  // At a fold the value does not determine a solution.
   if (!point) point = solve_near(orbits->problem(), continuation_, start.u, value);
   if (!point) return false;
   const std::string why = orbits->why_not_continued(*point);
   if (!why.empty()) {
     notes_.insert(why);
-    // At a grazing that was switched at rounding decides.
+    // At a grazing that was switched at, rounding decides whether it is listed.
   } else if (!origin.at_grazing && !orbits.boundaries->lists(*point)) {
     result_.virtual_starts += origin.branch < 0 ? 1 : 0;
   } else if (!knows(orbits, *point)) {
@@ -152,7 +152,7 @@ std::optional<SolutionPoint> BranchCollector::solution_at(const Written& written
     along << rate, start.at.along->value / std::abs(options_.to - options_.from);
     along.normalize();
   }
-  // A branch point as it stands, where no equations are regular.
+  // A branch point is taken as it is: its equations are not regular.
   if (start.at.kind == SpecialKind::kBranchPoint && along.size() > 0) {
     SolutionPoint point;
     point.u = written.u;
@@ -165,7 +165,7 @@ std::optional<SolutionPoint> BranchCollector::solution_at(const Written& written
 
 void BranchCollector::trace_restarted(LaidOrbits& orbits, const SolutionPoint& point,
                                       const BranchStart& start) {
-  // At a grazing rounding decides.
+  // At a grazing rounding decides whether it is listed.
   if (start.at.label != label_of(SpecialKind::kGrazing) && !orbits.boundaries->lists(point)) {
     ++result_.virtual_starts;
     result_.notes.push_back(
@@ -294,10 +294,10 @@ bool BranchCollector::switch_across(LaidOrbits& known, const SpecialPoint& speci
   at.multipliers.clear();
   const std::optional<SolutionPoint> start = other_branch(orbits->problem(), continuation_, at);
   if (!start || knows_beyond(orbits, *start)) return false;
-  // Either way from a doubling lead the same orbits, half a period apart.
+  // Both directions from a doubling give the same orbits, half a period apart.
   std::vector<BranchPiece> pieces =
       trace(orbits, *start, doubles ? Directions::kForward : Directions::kBoth);
-  // Of a start that is given nothing else is known; its own branch has it among its points.
+  // A given start has no known branch; its own branch has it among its points.
   if (!doubles && origin.branch < 0) list_crossing(pieces.front().branch);
   add(std::move(pieces), origin);
   return true;

@@ -7,7 +7,7 @@
 namespace graze {
 namespace {
 
-// Contacts go round once or twice over a branch, each past every place of the section.
+// Largest number of moves: over a branch contacts go round the section once or twice.
 constexpr int kMostMoves = 200;
 
 class PieceTracer {
@@ -47,7 +47,7 @@ class PieceTracer {
     return trace_branch(orbits->problem(), range, start, directions);
   }
 
-  // Outwards from one side of what is traced.
+  // Continues outwards from one side of the traced pieces.
   void go_on(std::size_t side, const LaidOrbits& of_start, const SolutionPoint& start) {
     for (int moves = 0; moves < kMostMoves; ++moves) {
       BranchPiece& outer = side == 0 ? pieces_.front() : pieces_.back();
@@ -74,7 +74,7 @@ class PieceTracer {
     }
   }
 
-  // The equations in which it goes on from this end of a piece; null where the branch ends there.
+  // The equations for continuing beyond this end of a piece; null where the branch ends there.
   LaidOrbits* clearer_beyond(const BranchPiece& piece, std::size_t side) const {
     const std::vector<SolutionPoint>& points = piece.branch.points;
     if (piece.branch.ends[side] != BranchEnd::kHalted || points.size() < 2) return nullptr;

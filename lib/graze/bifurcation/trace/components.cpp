@@ -17,7 +17,7 @@ bool Components::cross(const OrbitBranch& a, const OrbitBranch& b) const {
   for (const SpecialPoint& x : a.special) {
     if (x.kind != SpecialKind::kBranchPoint) continue;
     for (const SpecialPoint& y : b.special) {
-      // Seen from either branch, the point is as accurate as the orbit there.
+      // On either branch the point is as accurate as its orbit.
       if (y.kind == SpecialKind::kBranchPoint &&
           std::abs(x.at.value - y.at.value) <= kSameOrbit * range_ &&
           same_orbit(x.at.orbit, y.at.orbit, speed_scale_))
@@ -28,7 +28,7 @@ bool Components::cross(const OrbitBranch& a, const OrbitBranch& b) const {
 }
 
 std::vector<int> Components::numbers() const {
-  // Each branch points to an earlier one of its component, the first to itself.
+  // Union-find: each branch points to an earlier one of its component, the first to itself.
   std::vector<std::size_t> earlier(branches_.size());
   const auto first = [&earlier](std::size_t i) {
     while (earlier[i] != i) i = earlier[i];

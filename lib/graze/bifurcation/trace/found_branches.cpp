@@ -11,8 +11,8 @@
 namespace graze {
 namespace {
 
-// Next to a grazing a multiplier can run through the circle within less than the branch resolves:
-// where it was looked for it has passed it by far.
+// Next to a grazing a multiplier can pass the circle within less than the resolution of the branch:
+// at the point found it has passed it by far.
 bool passes_unseen(const CriticalPoint& critical) {
   constexpr double kFar = 1e-3;  // of the modulus; located crossings keep eight digits
   const bool crosses =
@@ -57,14 +57,15 @@ class Parting {
     BranchPlace place;
     LaidOrbits* orbits;
   };
-  // What stands at an end of the trace in place of its own point.
+  // The point that replaces the last point of the trace at an end.
   struct Tip {
     BranchPlace place;
     SolutionPoint point;
     bool is_half = false;
   };
   using Tips = std::array<std::optional<Tip>, 2>;
-  // A point of the trace, or a special point of its equations, between which boundaries are sought.
+  // A point of the trace, or a special point of its equations, between which boundaries are
+  // searched for.
   struct Waypoint {
     const SolutionPoint* point;
     BranchPlace place;
@@ -85,7 +86,7 @@ class Parting {
     if (index == 0) tips[0] = tip(piece, 0);
     if (index + 1 == pieces_.size()) tips[1] = tip(piece, 1);
     std::vector<Waypoint> way = waypoints(piece, tips);
-    // A piece begins with the orbit that the last one ended with.
+    // A piece begins with the orbit at which the previous one ended.
     if (index > 0) way.front().kept = false;
     for (std::size_t i = 0; i < way.size(); ++i) {
       std::vector<BranchPlace> between;
@@ -105,7 +106,7 @@ class Parting {
       const Tip* tip = i == 0 && tips[0]                   ? &*tips[0]
                        : i + 1 == points.size() && tips[1] ? &*tips[1]
                                                            : nullptr;
-      // Beside half the period the equations have a special point of their own.
+      // At orbits of half the period the equations have a special point that is none of orbits.
       const bool beside = (tip && tip->is_half) || (i == 1 && tips[0] && tips[0]->is_half);
       for (; critical != piece.branch.critical.end() && critical->after < i; ++critical)
         if (!beside) add_critical(*piece.orbits, *critical, way);
@@ -119,7 +120,7 @@ class Parting {
 
   static void add_critical(const LaidOrbits& orbits, const CriticalPoint& critical,
                            std::vector<Waypoint>& way) {
-    // Between allowed values may be none.
+    // Values between allowed ones may not be allowed.
     if (!orbits->system_at(critical.point.parameters())) return;
     Waypoint here{&critical.point, place_of(orbits, critical.point)};
     here.kept = is_of_orbits(critical) && !passes_unseen(critical);
@@ -146,7 +147,7 @@ class Parting {
     return Tip{std::move(*closed->place), side == 0 ? points.front() : points.back()};
   }
 
-  // Where a side of the trace joins orbits of half the period: its last point has it or lies
+  // Where an end of the trace joins orbits of half the period: its last point is one or lies
   // beyond.
   static std::optional<Tip> half_at(const BranchPiece& piece, std::size_t side) {
     const Branch& trace = piece.branch;
@@ -180,15 +181,15 @@ double lowest_value(const OrbitBranch& branch) {
 bool comes_before(const OrbitBranch& a, const OrbitBranch& b) {
   const ImpactPattern &pa = a.pattern, &pb = b.pattern;
   if (pa.period != pb.period) return pa.period < pb.period;
-  // Those that stick last.
+  // Branches that stick come last.
   if (pa.stops.empty() != pb.stops.empty()) return pb.stops.empty();
   if (pa.stops.size() != pb.stops.size()) return pa.stops.size() < pb.stops.size();
   if (pa.stops != pb.stops) return pa.stops < pb.stops;
   return lowest_value(a) < lowest_value(b);
 }
 
-// What is switched onto is connected to where it was switched from. Branches that were traced apart
-// may be parts of one component all the same.
+// A branch that was switched onto is connected to its origin. Branches that were traced separately
+// may be parts of one component nevertheless.
 std::pair<int, int> component_of(const std::vector<FoundBranch>& found, std::size_t index,
                                  const ConnectedSet& set_of) {
   while (found[index].origin_branch >= 0)

@@ -23,10 +23,10 @@ namespace graze {
 namespace {
 
 // Forcing periods within which a motion has to repeat to count as one that sticks: each time it
-// comes to rest it forgets what came before.
+// comes to rest it loses its memory of earlier motion.
 constexpr long long kPeriodsToStick = 300;
 
-// Values that are searched for orbits at once.
+// Number of values at which orbits are searched for at once.
 constexpr std::size_t kValuesAtOnce = 8;
 
 class OrbitTracer {
@@ -58,12 +58,12 @@ class OrbitTracer {
     result_.branches =
         put_in_order(branches_.take(), Components(highest_ - lowest_, speed_scale),
                      [this](const OrbitBranch& branch) { return connected_set(branch); });
-    // What the simulation does is worth a line only where it explains that there is nothing else.
+    // The result of the simulation is reported only where it explains that there is nothing else.
     if (!result_.branches.empty() && !compliant_) {
       result_.notes.clear();
       result_.details.clear();
     }
-    // That nothing is missing is no news, that something may be is.
+    // Reported only when something may be missing.
     if (options_.impacts == 1 && !options_.start && !compliant_)
       (result_.sought.complete() ? result_.details : result_.notes)
           .push_back(in_words(result_.sought, family_.parameter(), options_.period));
@@ -73,9 +73,9 @@ class OrbitTracer {
   }
 
  private:
-  // Where closed forms are only starts for a search, first what that gives, which costs next to
-  // nothing, then simulations, which may never settle: whoever stops them has the branches of the
-  // former.
+  // Where closed forms are only starts for a search, their results come first, which cost next to
+  // nothing, then simulations, which may never settle: if these are stopped, the branches of the
+  // former are kept.
   void trace_from_search() {
     FinderOptions all = options_.finder, quick = all, slow = all;
     quick.from_simulation = quick.from_random = false;
@@ -90,8 +90,8 @@ class OrbitTracer {
     result_.sought.stopped = options_.stop.requested();
   }
 
-  // One trace reaches all of it that undamped resonances, or values that are not allowed, do not
-  // part.
+  // One trace reaches all of it unless undamped resonances, or values that are not allowed,
+  // separate parts.
   void trace_response() {
     for (const double value : start_values()) branches_.trace_response(value);
   }
@@ -105,7 +105,7 @@ class OrbitTracer {
     return values;
   }
 
-  // The scene's own value, and values spread over the range; in one round of several.
+  // Traces from the scene's own value, and values spread over the range; in one of several rounds.
   void trace_from_values(const FinderOptions& finder, double round, double rounds) {
     const std::vector<double> values = start_values();
     result_.sought.start_values = static_cast<int>(values.size());
@@ -117,8 +117,8 @@ class OrbitTracer {
       if (options_.progress)
         options_.progress(
             (round + static_cast<double>(i) / static_cast<double>(values.size() + 1)) / rounds);
-      // The first by itself, on all threads, as it may be searched for longer; then some side by
-      // side. What is found does not depend on how many.
+      // The first value is searched alone, on all threads, since its search may take longer; then
+      // some side by side. Results do not depend on their number.
       if (i == 0 || i % kValuesAtOnce == 1) {
         const std::size_t some = i == 0 ? 1 : std::min(kValuesAtOnce, values.size() - i);
         for_each_index(some, finder.threads, [&](std::size_t k) {
@@ -173,7 +173,7 @@ class OrbitTracer {
     }
   }
 
-  // Traces orbits on one stop and says what branches of them there are.
+  // Traces orbits on one stop and reports their branches.
   RunTracer run_tracer(int stop) {
     const ImpactPattern pattern{options_.period, {stop}};
     RunTracer tracer;
@@ -190,19 +190,19 @@ class OrbitTracer {
     return tracer;
   }
 
-  // Orbits at one value; the random guesses, and on rigid stops the simulation for orbits of one
-  // impact, join in at the first one only.
+  // Orbits at one value; random guesses, and on rigid stops the simulation for orbits of one
+  // impact, are used at the first value only.
   std::optional<FoundOrbits> orbits_at(double value, FinderOptions finder, bool first) const {
     const std::optional<System> system = family_.at(value);
     if (!system) return {};
     finder.period = options_.period;
     finder.impacts = options_.impacts;
-    // Of one impact, and of more than two, solutions are counted where they lie; of two all that
-    // are orbits are found whatever else is kept.
+    // With one impact, and with more than two, solutions are counted where they lie; with two all
+    // orbits are found even if virtual solutions are not kept.
     finder.keep_virtual = !compliant_ && (options_.keep_virtual || options_.impacts != 2);
     finder.sticking = options_.sticking;
     finder.stop = options_.stop;
-    // Random guesses cost more than all else; elsewhere they stand in where the closed form cannot.
+    // Random guesses cost more than all else; at other values they replace a missing closed form.
     if (!first && (compliant_ ||
                    (options_.impacts == 1 && finder.from_closed_form && has_closed_forms(*system))))
       finder.from_random = false;
@@ -212,10 +212,10 @@ class OrbitTracer {
     return find_orbits(*system, start, finder);
   }
 
-  // The orbits to start from; what else was found is told.
+  // The orbits to start from; the finder's notes are passed on.
   std::vector<Orbit> taken(std::optional<FoundOrbits> found) {
     if (!found) return {};
-    // On rigid stops alone those have a search of their own.
+    // On rigid stops alone orbits that stick have a search of their own.
     if (!compliant_)
       std::erase_if(found->orbits, [](const Orbit& orbit) { return orbit.sticks(); });
     if (result_.notes.empty()) {
@@ -255,7 +255,7 @@ class OrbitTracer {
     kAny,
     kSticking  // with the period that is sought
   };
-  // Traces the branch of what the motion from a state settles on, where that is wanted.
+  // Traces the branch of the orbit that the motion from a state settles on, if it is wanted.
   void trace_settled(double value, const State& start, Wanted wanted) {
     const std::optional<System> system = family_.at(value);
     if (!system) return;
@@ -273,8 +273,8 @@ class OrbitTracer {
     if (orbit && (any || orbit->period == options_.period)) branches_.trace_from(*orbit, value);
   }
 
-  // Branches that were traced apart may be connected where the solutions are no orbits; the closed
-  // form knows.
+  // Branches that were traced separately may be connected by virtual solutions; the closed form
+  // shows that.
   std::optional<std::pair<int, int>> connected_set(const OrbitBranch& branch) const {
     if (branch.pattern.stops.empty()) return {};
     const int stop = branch.pattern.stops.front();

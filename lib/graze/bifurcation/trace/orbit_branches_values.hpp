@@ -14,18 +14,18 @@ namespace graze {
 struct OrbitBranches {
   std::string parameter;
   std::vector<OrbitBranch> branches;
-  // Units of the unknowns in the solutions at special points, and the range of the parameter that
-  // their tangents are given in.
+  // Units of the unknowns in the solutions at special points, and the range of the parameter in
+  // which their tangents are given.
   MotionScale scale;
   double range = 1.0;
   std::vector<std::string> notes;      // sentences: what is missing or wrong, what the motion does
-  std::vector<std::string> details;    // sentences about the numerics, for who looks into them
+  std::vector<std::string> details;    // sentences about the numerics, for experts
   long long shooting_evaluations = 0;  // of the shooting equations, all points together
   long long rejected_steps = 0;
   int starts = 0;          // solutions offered as starts
-  int virtual_starts = 0;  // those that solve the equations and are no orbits, so are not traced
-  ComponentSearch sought;  // how the components of (p, 1) solutions were
-  int traced = 0;          // traces begun, one for each start that no earlier one had passed
+  int virtual_starts = 0;  // starts that are virtual solutions, which are not traced
+  ComponentSearch sought;  // how the components of (p, 1) solutions were searched for
+  int traced = 0;          // number of traces, one for each start not on an earlier branch
   int cut_short = 0;       // traces that could not be followed to an end
   int cut_settled = 0;     // those of them from motions that have settled
   int meetings = 0;        // branches ended by impacts that meet

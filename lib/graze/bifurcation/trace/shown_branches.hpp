@@ -1,4 +1,4 @@
-// Branches with points enough for a curve that is to be shown of them.
+// Branches with enough points for a smooth curve of a quantity.
 #pragma once
 
 #include <functional>
@@ -9,11 +9,11 @@
 
 namespace graze {
 
-// What is shown of an orbit at a value of the parameter; nothing where it cannot be told.
+// The quantity of an orbit that is drawn at a value of the parameter; nullopt when it has none.
 using ShownNumber = std::function<std::optional<double>(double value, const Orbit& orbit)>;
 
-// As trace_orbits(family, options), with points added until the curve of `shown` is right to a
-// pixel; where that is empty none are.
+// As trace_orbits(family, options), with points added until the curve of `shown` is accurate to a
+// pixel; none are added if `shown` is empty.
 OrbitBranches trace_orbits(const SystemFamily& family, const BranchOptions& options,
                            const ShownNumber& shown);
 

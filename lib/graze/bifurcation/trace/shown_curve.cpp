@@ -10,15 +10,15 @@
 namespace graze {
 namespace {
 
-// A picture's axes are about so many pixels long. On a logarithmic axis, or one in decibels, which
-// may show six decades, a pixel is some hundredth of the value.
+// Length of a picture's axes in pixels. On a logarithmic axis, or one in decibels, which may show
+// six decades, a pixel is some hundredth of the value.
 constexpr double kPixels = 1000.0;
 constexpr double kLogPixel = 0.01, kSmallest = 1e-6;
-// How far a point may stand off the chord of its neighbours, pixels: a parabola through the three
-// is no farther than a pixel from either of their lines, one of them being up to twice as long.
+// Largest distance of a point from the chord of its neighbours, pixels: a parabola through the
+// three is then within a pixel of both lines, one of which may be up to twice as long as the other.
 constexpr double kBend = 2.0;
-// A step as long as an axis is then a pixel long: numbers that jump, or are known to fewer digits
-// than a picture shows, ask for more for ever.
+// A step as long as an axis is then a pixel long; the limit is for quantities that jump, or have
+// fewer digits than a picture shows.
 constexpr int kHalvings = 10;
 
 class ShownCurve {
@@ -37,7 +37,7 @@ class ShownCurve {
       nodes_.push_back(node_of(point));
       if (nodes_.back().shown) largest_ = std::max(largest_, std::abs(*nodes_.back().shown));
     }
-    // Where `proceed` ended the trace its last step crosses what it ended at.
+    // Where `proceed` ended the trace its last step crosses the end.
     if (branch_.ends[0] == BranchEnd::kHalted) nodes_.front().is_final = true;
     if (branch_.ends[1] == BranchEnd::kHalted && nodes_.size() > 1)
       std::prev(nodes_.end(), 2)->is_final = true;
@@ -68,7 +68,7 @@ class ShownCurve {
     return node;
   }
 
-  // Of b from the chord from a to c, pixels; 0 where it is not known.
+  // Distance of b from the chord from a to c, pixels; 0 where it is not known.
   double bend(const Node& a, const Node& b, const Node& c) const {
     if (!a.shown || !b.shown || !c.shown) return 0.0;
     const double least = std::max(std::abs(*b.shown), kSmallest * largest_);
@@ -85,7 +85,7 @@ class ShownCurve {
     return std::abs(across(a, c) * up(a, b) - up(a, c) * across(a, b)) / length;
   }
 
-  // Between all neighbours beside which the curve bends; whether there were any.
+  // Adds points next to all points at which the curve bends; returns whether any were added.
   bool add_points() {
     std::vector<Place> bent;  // the first of two neighbours
     const auto mark = [&](Place first) {
@@ -123,7 +123,7 @@ class ShownCurve {
     return true;
   }
 
-  // All into the branch, its critical points where they were among them.
+  // Puts all points into the branch, with its critical points between the same neighbours.
   void put_back() {
     std::vector<std::size_t> places;  // of what was there before
     branch_.points.clear();

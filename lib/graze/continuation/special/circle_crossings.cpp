@@ -51,8 +51,8 @@ constexpr int kMostDivisions = 1000;
 // of the step. The trace is smooth and follows it: on the scale asinh(trace), which counts factors
 // of e far out and units near zero, a piece without unseen crossings changes by less than this.
 constexpr double kLargestChange = 0.5;
-// The others stay where they are, to a part of this inverse, while the large one is this many times
-// as far out as all of them on the circle would add up to: what it does there hides no crossing.
+// While the large multiplier is this many times as far out as the sum of all others if on the
+// circle, the others do not move, to a part of the inverse: its motion there hides no crossing.
 constexpr double kFarOut = 16.0;
 
 double trace_scale(const std::vector<Eigenvalue>& multipliers) {

@@ -1,11 +1,10 @@
 // Starts for the branches of (p, 1) solutions over a parameter's range, one for each part that they
-// may have, and a name for the connected set each solution belongs to.
+// may have, and a number for the connected set that each solution belongs to.
 //
-// Where the restitution is constant the intervals with solutions are known (solution_ranges.hpp):
-// none is too narrow to be given its starts. Where along them the solutions are orbits of the
-// system is sought by bounds (admissible_runs.hpp) or, where these do not hold, sampled evenly over
-// the range and over every interval: a run of orbits narrower than the distance of the samples may
-// then be passed over.
+// Where the restitution is constant the intervals with solutions are known (solution_ranges.hpp),
+// so that even the narrowest gets its starts. Orbits among the solutions are searched for by bounds
+// (admissible_runs.hpp) or, where these do not hold, by even samples over the range and over every
+// interval: a run of orbits narrower than the distance of the samples may then be missed.
 #pragma once
 
 #include <optional>
@@ -28,9 +27,9 @@ class ClosedFormSurvey {
   // whose restitution is constant.
   ClosedFormSurvey(const SystemFamily& family, int stop, int period, double lowest, double highest);
 
-  // A solution of each family in every interval.
+  // Adds one solution of each family in every interval as a start.
   void start_in_every_range();
-  // One in every run of samples at which the solution is an orbit of the system; of those before it
+  // Adds a start in every run of samples at which the solution is an orbit; only of those before it
   // was asked to stop (stop_scope.hpp).
   void start_in_every_run();
 

@@ -17,14 +17,14 @@
 //   for constant r:  F = |A|^2 (D^2 + (1 + r)^2 Omega^2 g^2) - (a D)^2  >= 0.
 //
 // There are two solutions where F > 0, folds where F = 0, none where F < 0: |kappa| = |a| of
-// closed_form.hpp without its denominator D, so that where kappa has a pole F is as smooth as
-// elsewhere. The cost is that of N sines, whatever the number of modes makes of the flow.
+// closed_form.hpp without its denominator D, so that F is smooth even where kappa has a pole. The
+// cost is that of N sines.
 //
-// z/(1 - z) has poles next to the real axis where a mode of little damping repeats with the forcing
-// or a part of it, and A where its frequency is the forcing's. Of an undamped mode they are on the
-// axis: g sin(w_j P/2) and A (w_j^2 - Omega^2) are taken in their place where a cell holds one, and
-// F is multiplied by the squares. A free mass (w_j = 0) has g and a infinite at every value: of
-// both what grows as w_j^-2 is taken.
+// z/(1 - z) has poles next to the real axis where the free motion of a slightly damped mode has the
+// period of the forcing or a fraction of it, and A where its frequency is the forcing's. For an
+// undamped mode they are on the axis: g sin(w_j P/2) and A (w_j^2 - Omega^2) replace g and A where
+// a cell holds a pole, and F is multiplied by the squares. A free mass (w_j = 0) has infinite g and
+// a at every value: both are then replaced by their coefficients of w_j^-2.
 #pragma once
 
 #include <optional>
@@ -36,32 +36,32 @@ namespace graze {
 struct OneImpactForm {
   // A, and g, H, D as above; times the factors for undamped modes.
   MeanValueForm forced_real, forced_imaginary, displaced, returned, approached;
-  MeanValueForm level;  // a, times the factor of A (or what of it grows as w_j^-2)
+  MeanValueForm level;  // a, times the factor of A (or its coefficient of w_j^-2)
   MeanValueForm kick;   // (1 + r) Omega, rad/s
   bool free_mass =
-      false;  // displaced and level are what grows as w_j^-2, beside which D is nothing
+      false;  // displaced and level are coefficients of w_j^-2, beside which D is nothing
   bool has_factors = false;  // for undamped modes
   // Undamped with r = 1: D = 0 throughout, and two solutions wherever g is not zero.
   bool free_speed = false;
 
-  // F; of free speed g, which changes its sign where speeds grow without bound.
+  // F; with free speed g, which changes its sign where speeds grow without bound.
   MeanValueForm fold_function() const;
 };
 
 // For impacts on `stop` (index from 0) every `period` forcing periods. Requires forcing and a
-// constant restitution. Nothing where a cell is too wide to bound it.
+// constant restitution. Returns nullopt when a cell is too wide for bounds.
 std::optional<OneImpactForm> one_impact_form(const SystemForms& system, int stop, int period);
 
-// A unit impulse on one mode, repeated every `duration` (s): what it leaves at a part of that in
-// (0, 1) after each, of displacement per d_j, s. Nothing where a cell is too wide, or the motion
-// does not repeat.
+// The response of one mode to a unit impulse on it, repeated every `duration` (s): its displacement
+// per d_j, s, at a part of the duration in (0, 1) after each impulse. Returns nullopt when a cell
+// is too wide, or the motion does not repeat.
 std::optional<MeanValueForm> repeated_impulse(const MeanValueForm& omega,
                                               const MeanValueForm& delta,
                                               const MeanValueForm& duration, double part);
 
-// A solution's place among the two at a value: 1 or -1, and the same along either of them as long
-// as they do not meet in a fold. `theta`: impact phase, rad. `system`: at that value. 0 where it
-// cannot be told.
+// Which of the two solutions at a value this is: 1 or -1, constant along each of them as long as
+// they do not meet in a fold. `theta`: impact phase, rad. `system`: at that value. 0 where it
+// cannot be decided.
 int family_of(const SystemForms& system, int stop, int period, double theta);
 
 }  // namespace graze

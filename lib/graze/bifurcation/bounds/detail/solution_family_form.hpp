@@ -10,7 +10,7 @@
 //   a_k - Re(A_k e^{i (theta + 2 pi p tau)}) + u sum_j b_kj d_j G_j(tau P),
 //
 // G_j the repeated impulse. Where at one instant the gap is negative all over a cell, the solution
-// is no orbit of the system anywhere on it, and so where its speed is.
+// is virtual all over it; likewise where its impact speed is.
 #pragma once
 
 #include <optional>
@@ -21,9 +21,9 @@ namespace graze {
 
 class SolutionFamilyForm {
  public:
-  // `family` as family_of tells it. Nothing where a cell is too wide, reaches a fold, or holds a
-  // pole of an undamped mode; and where the motion between impacts does not repeat by itself (free
-  // masses, undamped with r = 1).
+  // `family`: as returned by family_of. Returns nullopt when a cell is too wide, reaches a fold, or
+  // holds a pole of an undamped mode; and where the free motion between impacts repeats by itself
+  // or never does (free masses, undamped with r = 1).
   static std::optional<SolutionFamilyForm> over(const SystemForms& system, int stop, int period,
                                                 int family);
 

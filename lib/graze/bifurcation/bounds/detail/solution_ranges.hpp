@@ -1,13 +1,13 @@
-// Where along a parameter's range there are (p, 1) solutions on a stop: every interval of values
-// with its exact ends, folds or the ends of the range, and proof that there are no others.
+// The intervals of a parameter's range with (p, 1) solutions on a stop: their exact ends, which are
+// folds or the ends of the range, and proof that there are no others.
 //
-// The proof is a bound: F of one_impact_form.hpp is taken apart into cells over each of which it
-// keeps its sign or falls or rises throughout, in outward rounded intervals. What it rests on is
-// the interpolant of the system's numbers (system_interpolant.hpp): exact over parameters of which
-// these are polynomials up to the third degree, such as the forcing frequency, and an interpolation
-// to 1e-12 over others. It is no proof where cells are left undecided: two folds that agree to half
-// of all digits, or more oscillations than the budget of cells resolves. Those are counted, and the
-// widest one says what width of interval may have been passed over.
+// The proof is a bound: the range of F of one_impact_form.hpp is divided into cells over each of
+// which F keeps its sign or is monotonic, in outward rounded intervals. It rests on the interpolant
+// of the system's numbers (system_interpolant.hpp): exact over parameters of which these are
+// polynomials up to the third degree, such as the forcing frequency, and an interpolation to 1e-12
+// over others. It is no proof where cells are left undecided: two folds that agree to half of all
+// digits, or more oscillations than the budget of cells resolves. Those are counted, and the width
+// of the widest one bounds the intervals that may have been missed.
 #pragma once
 
 #include <optional>
@@ -39,15 +39,15 @@ class SolutionRanges {
   int period() const { return period_; }
   double length() const { return length_; }  // of the range that was looked through
 
-  // The place in the list of the interval that a value lies in, or beyond by its rounding.
+  // Index of the interval that contains a value, or that it exceeds by its rounding.
   std::optional<std::size_t> range_of(double value) const;
   // Which of the two solutions at a value has this impact phase: see family_of.
   int family(double value, double theta) const;
-  // The system over a cell, or at a value; nothing where the scene does not allow it throughout.
+  // The system over a cell, or at a value; nullopt when the scene does not allow it throughout.
   std::optional<SystemForms> system_over(double low, double high) const;
 
-  // Names the connected set of the solution with this impact phase (rad): equal numbers for
-  // solutions that are connected within the range. Nothing where there are no solutions.
+  // A number for the connected set of the solution with this impact phase (rad): equal for
+  // solutions that are connected within the range. Returns nullopt where there are no solutions.
   std::optional<int> component(double value, double phase) const;
 
  private:

@@ -5,9 +5,9 @@
 //
 //   (a + g u)^2 + (v + H u)^2/Omega^2 - |A|^2,      u = (1 + r(v)) v,
 //
-// one equation in one unknown, whatever the number of modes: all of its zeros are isolated by
-// bounds (isolated_zeros.hpp), and the phase follows from either square. Between two values nothing
-// is known: a component that lies between them is missed.
+// one equation in one unknown, for any number of modes: all of its zeros are isolated by bounds
+// (isolated_zeros.hpp), and the phase follows from either square. A component that lies between two
+// values is missed.
 #pragma once
 
 #include <vector>
@@ -25,7 +25,7 @@ struct SpeedSurvey {
   std::vector<Start> starts;
   int values = 0;        // that were looked at, spread evenly
   double spacing = 0.0;  // of them
-  int unsolved = 0;      // of these, where not all speeds can be isolated
+  int unsolved = 0;      // values at which not all speeds can be isolated
 };
 
 // Over [lowest, highest], for impacts on a stop (index from 0) every `period` forcing periods.

@@ -1,8 +1,7 @@
 // Boundaries of orbits that are followed from stroboscopic section to section, on compliant stops:
 // where a contact is born or lost (GR). Where the force of its stop sets in continuously the branch
 // goes on smoothly, with orbits of other contacts; where it sets in with a jump the map has a
-// corner there and the trace ends as it may. Solutions whose motion meets no stop are another
-// matter.
+// corner there, at which the trace ends. Solutions that meet no stop are not part of the branch.
 #pragma once
 
 #include "graze/bifurcation/cut/detail/branch_boundaries.hpp"
@@ -22,8 +21,8 @@ class ContactBoundaries : public BranchBoundaries {
   bool goes_on(const SolutionPoint& /*previous*/, const SolutionPoint& here) override {
     return lists(here);
   }
-  // Where a contact is born or lost within the step its grazing lies there too, and the branch has
-  // not turned too far up to that.
+  // Whether, if a contact is born or lost within the step, its grazing lies there too, and the
+  // branch has not turned too far up to it.
   bool resolves(const SolutionPoint& from, const SolutionPoint& to) override;
   void pass(const JudgedPoint& a, const JudgedPoint& b, std::vector<BranchPlace>& places) override;
   std::optional<BranchTip> close(Branch& trace, std::size_t side) override;

@@ -1,7 +1,7 @@
 // Boundaries of orbits whose flights are prescribed: where a stop is touched between two impacts,
 // an impact loses its speed, or one that leaves its stop at rest is pushed back (GR), and where two
-// impacts come together. Solutions go on beyond, as none of the system; between neighbours where
-// that may happen unseen solutions are looked at (grazing_samples.hpp).
+// impacts coincide. Solutions go on beyond as virtual ones; between neighbours where a change may
+// be hidden further solutions are computed (grazing_samples.hpp).
 #pragma once
 
 #include "graze/bifurcation/cut/detail/branch_boundaries.hpp"

@@ -1,5 +1,5 @@
-// Orbits of one impact pattern along a locus. Where they stop being orbits of the system the locus
-// goes on: the margins say where that is.
+// Orbits of one impact pattern along a locus. Where they become virtual the locus goes on: the
+// margins show where.
 #pragma once
 
 #include "graze/bifurcation/cut/detail/locus_orbits.hpp"

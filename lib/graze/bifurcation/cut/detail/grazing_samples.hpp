@@ -1,14 +1,14 @@
-// Points within the steps of a branch of orbits, so many that between neighbouring ones its
-// classification changes once at most.
+// Points within the steps of a branch of orbits, as many as needed for its classification to change
+// at most once between neighbours.
 //
-// A step may lead from orbit to orbit across solutions that are none: a gap or an impact speed dips
-// below zero and recovers; or across orbits between two solutions that are none, where one of them
-// recovers before another is lost. What must stay positive is known with its rate at both ends
-// (orbit_margins.hpp), and the cubic through them tells where to look (margin_interpolant.hpp).
-// What is found there is decided by the solution itself.
+// A step may lead from orbit to orbit across virtual solutions, when a gap or an impact speed falls
+// below zero and recovers; or across orbits between two virtual solutions, when one quantity
+// recovers before another is lost. The quantities that must stay positive are known with their
+// rates at both ends (orbit_margins.hpp), and the cubic through them shows where to search
+// (margin_interpolant.hpp). The classification there is decided by the solution itself.
 //
-// Cheap tests first: gaps are looked at only where the smallest of them is nearer to zero than it
-// may come within the step.
+// Cheap tests come first: gaps are examined only where the smallest of them is nearer to zero than
+// its possible change within the step.
 #pragma once
 
 #include <list>
@@ -22,7 +22,7 @@
 
 namespace graze {
 
-// A solution with what its classification rests on, and how fast that changes.
+// A solution with the quantities that decide its classification, and their rates.
 struct SeenSolution {
   const SolutionPoint* point = nullptr;
   bool admissible = false;
@@ -33,7 +33,7 @@ struct SeenSolution {
   double smallest_speed() const;  // m/s
 };
 
-// One that was looked at between two points of the branch.
+// A solution that was computed between two points of the branch.
 struct GrazingSample {
   SolutionPoint point;
   OrbitBranchPoint at;
@@ -47,18 +47,18 @@ class GrazingSamples {
 
   // Refers to the point.
   SeenSolution seen(const SolutionPoint& point, const OrbitBranchPoint& at) const;
-  // Those between neighbours a and b, in order. Nothing where all goes as their classifications
-  // say.
+  // The samples between neighbours a and b, in order; empty where a and b's classifications show
+  // all.
   std::list<GrazingSample> between(const SeenSolution& a, const SeenSolution& b);
 
  private:
-  // In which the branch runs there.
+  // The direction of the branch at a point.
   OrbitDirection direction(const SolutionPoint& point) const;
   std::vector<OrbitMargin> approaches(const SeenSolution& solution, double level) const;
   std::vector<MarginInterpolant> interpolants(const SeenSolution& a, const SeenSolution& b) const;
   void add_approaches(const SeenSolution& a, const SeenSolution& b, double step, double level,
                       std::vector<MarginInterpolant>& interpolants) const;
-  // The solution between a and b to be looked at next; nothing where none is in doubt.
+  // The next sample between a and b; nullopt when no change is suspected.
   std::optional<SolutionPoint> suspected(const SeenSolution& a, const SeenSolution& b);
 
   const FlightEquations& equations_;

@@ -1,9 +1,9 @@
-// Solutions with other events between two orbits that stick with the same ones: an impact is born
-// and lost again, an approach touches and is clear again, or the two orbits are of two branches.
+// Solutions with other events between two orbits that stick with the same events: an impact is born
+// and lost again, an approach touches and is clear again, or the two orbits are on two branches.
 //
-// The speeds of the impacts and the gaps of the approaches outside the chatters come with their
-// rates at both ends; the cubic through them tells where to look (margin_interpolant.hpp). What is
-// found there is decided by the motion itself.
+// The speeds of the impacts and the gaps of the approaches outside the chatters are known with
+// their rates at both ends; the cubic through them shows where to search (margin_interpolant.hpp).
+// The events there are decided by the motion itself.
 #pragma once
 
 #include <optional>
@@ -23,9 +23,9 @@ class HiddenEvents {
   HiddenEvents(const SegmentEquations& equations, Corrector& corrector)
       : equations_(equations), corrector_(corrector) {}
 
-  // A solution between a and b, which both have the events of `at_a`, that has not; or a
-  // prediction, without a tangent, where none can be solved for. Nothing where all have them, or
-  // after as many looks; the latter are counted down.
+  // Searches between a and b, which both have the events of `at_a`, for a solution with other
+  // events; returns it, or a prediction without a tangent where none can be solved for. Returns
+  // nullopt when all have the same events, or after `looks` solutions, which are counted down.
   std::optional<SolutionPoint> between(const SolutionPoint& a, const SolutionPoint& b,
                                        const ReleaseReturn& at_a, int& looks);
 
@@ -35,7 +35,7 @@ class HiddenEvents {
 
   const SegmentEquations& equations_;
   Corrector& corrector_;
-  // By unknowns, parameter and tangent.
+  // Cached by unknowns, parameter and tangent.
   Remembered<std::tuple<Vector, double, Vector>, std::optional<std::vector<SegmentMargin>>>
       margins_;
 };

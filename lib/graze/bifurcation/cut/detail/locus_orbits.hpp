@@ -1,5 +1,5 @@
-// What the orbits along a locus are, and where they cease to be that: of flights that are
-// prescribed (flight_locus.hpp) or of segments that are followed (segment_locus.hpp).
+// The orbits along a locus, and where they end: of prescribed flights (flight_locus.hpp) or of
+// segments that are followed (segment_locus.hpp).
 #pragma once
 
 #include <algorithm>
@@ -18,28 +18,28 @@ struct LocusSite {
   Vector further{};    // unknowns of the curve besides
 };
 
-// One thread at a time.
+// For one thread at a time.
 class LocusOrbits {
  public:
   virtual ~LocusOrbits() = default;
 
-  // `zero`: the margin that vanishes there, where one does. Nothing where the motion is no orbit of
-  // this layout.
+  // `zero`: the margin that vanishes there, if one does. Returns nullopt when the motion is no
+  // orbit of this layout.
   virtual std::optional<LocusPlace> place(const LocusSite& at,
                                           std::optional<LocusMargin> zero) const = 0;
-  // Says what its orbits have in common.
+  // The common impact pattern of its orbits.
   virtual ImpactPattern pattern(const std::vector<LocusPlace>& places) const = 0;
 
-  // Of what has to stay positive, by LocusMargin; empty where the trace is halted instead, nothing
-  // where they are not known.
+  // The quantities that have to stay positive, by LocusMargin; empty where the trace is halted
+  // instead, nullopt when they are not known.
   virtual std::optional<Vector> margins(const LocusSite& /*at*/) const { return Vector(); }
-  // Whether a step shows what happens within it, and whether the locus goes on.
+  // Whether a step is short enough to show what happens within it, and whether the locus goes on.
   virtual bool resolves(const LocusSite& /*from*/, const LocusSite& /*to*/) const { return true; }
   virtual bool goes_on(const LocusSite& /*previous*/, const LocusSite& /*here*/) const {
     return true;
   }
-  // How it ends between neighbours of which only the inner one belongs to it, and at the last one
-  // where no step led on.
+  // How it ends between neighbours of which only the inner one belongs to it, and at the last point
+  // when no step succeeded.
   virtual OrbitLocusEnd end_between(const LocusSite& /*inner*/, const LocusSite& /*outer*/) const {
     return OrbitLocusEnd::kGrazing;
   }
@@ -47,7 +47,7 @@ class LocusOrbits {
     return OrbitLocusEnd::kNotConverged;
   }
 
-  // To what the equations can be solved, and how long a locus may get.
+  // Tolerance of the equations, and largest number of points of a locus.
   double tolerance = 1e-11;
   int most_points = kMostBranchPoints;
   void limit(LocusOptions& options) const {

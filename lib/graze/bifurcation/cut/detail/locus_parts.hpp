@@ -1,4 +1,4 @@
-// A traced locus, divided where its orbits stop being orbits of the system.
+// A traced locus, divided where its orbits become virtual.
 #pragma once
 
 #include <functional>
@@ -10,26 +10,27 @@
 
 namespace graze {
 
-// A point met along a locus, with what has to stay positive there.
+// A point on a locus, with its margins.
 struct LocusPlace {
   OrbitLocusPoint at;
   Vector margins;
   std::string label;                    // of a point of codimension two, or ""
-  std::optional<LocusMargin> boundary;  // what vanishes here and forbids the orbit beyond
+  std::optional<LocusMargin> boundary;  // the margin that vanishes here, beyond which solutions are
+                                        // virtual
   std::optional<double> other_angle{};  // as of OrbitLocusSpecial
 };
 
-// A locus of one kind as it was traced, virtual parts and all.
+// A locus of one kind as it was traced, including virtual parts.
 struct LocusTrace {
   OrbitLocus frame;                // its kind, pattern and ends
   std::vector<LocusPlace> places;  // in order along the locus
 };
 
-// The parts whose orbits are orbits of the system, each ended by the grazing beyond which they are
-// not; with `keep_virtual` the whole in one piece, those grazings among its special points.
+// The admissible parts, each ended by the grazing beyond which solutions are virtual; with
+// `keep_virtual` the whole in one piece, those grazings among its special points.
 std::vector<OrbitLocus> locus_parts(const LocusTrace& trace, bool keep_virtual);
 
-// Whether one could not be followed to an end.
+// Whether an end of the locus could not be followed.
 bool is_cut_short(const OrbitLocus& locus);
 
 }  // namespace graze

@@ -6,7 +6,7 @@
 
 namespace graze {
 
-// Starts it where it is outside, so that no part within is cut in two by the start.
+// Rotates it to start outside, so that the start cuts no inner part in two.
 template <class Place, class Outside>
 void open_outside(std::vector<Place>& places, const Outside& is_outside) {
   const auto outside = std::find_if(places.begin(), places.end(), is_outside);

@@ -1,5 +1,5 @@
-// What is met where solutions of the equations of orbits that stick stop being orbits with the same
-// events (a boundary), or where a branch of them comes to an end (its tip).
+// Where solutions of the equations of orbits that stick stop being orbits with the same events (a
+// boundary), or where a branch of them ends (its tip).
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@
 namespace graze {
 
 struct ReleaseTip {
-  // CH, LO or GR at a boundary; "not converged" where what is there cannot be told.
+  // CH, LO or GR at a boundary; "not converged" when it cannot be classified.
   OrbitBranchEnd end = OrbitBranchEnd::kNotConverged;
   std::optional<SolutionPoint> boundary;  // the special point there, where there is one
   bool by_speed = false;                  // of a grazing: an impact loses its speed
   bool interrupted = false;               // of CH and LO: a stuck phase is cut in two
   double value = 0.0;                     // of the parameter there
-  std::optional<SolutionPoint> beyond;    // an orbit on the other side, where one was met
+  std::optional<SolutionPoint> beyond;    // an orbit on the other side, if one was found
   Bracket bracket{};                      // of the boundary
 };
 

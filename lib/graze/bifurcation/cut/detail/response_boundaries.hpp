@@ -1,6 +1,6 @@
-// Boundaries of the response that meets no stop: where it touches one (GR). It is known in closed
-// form at every value, and so is how far it stays from each stop, with its rate: between two
-// neighbours that is followed from one extreme to the next, so that a peak between them is seen.
+// Boundaries of the response that meets no stop: where it touches one (GR). The response and its
+// distance from each stop are known in closed form at every value, with their rates: between two
+// neighbours the distance is followed from one extreme to the next, so that no peak is missed.
 #pragma once
 
 #include "graze/bifurcation/cut/detail/branch_boundaries.hpp"
@@ -23,12 +23,12 @@ class ResponseBoundaries : public BranchBoundaries {
   void pass(const JudgedPoint& a, const JudgedPoint& b, std::vector<BranchPlace>& places) override;
 
  private:
-  // m, and m per unit of the parameter.
+  // Value in m, rate in m per unit of the parameter.
   struct Clearance {
     double value = 0.0, rate = 0.0;
   };
   std::optional<Clearance> clearance(std::size_t stop, double value) const;
-  // Where a stop is touched between these values, in order.
+  // The values between these at which a stop is touched, in order.
   std::vector<double> touched(std::size_t stop, double from, double to) const;
   bool is_clear(double value) const;
   std::optional<BranchPlace> grazing(double value) const;

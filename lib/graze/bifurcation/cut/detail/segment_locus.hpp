@@ -1,6 +1,6 @@
 // Orbits that are followed along a locus. On compliant stops it ends where their motion meets no
-// stop any more; orbits that stick stay on it as long as their stuck phases, and the impacts that
-// lead to none, are the same: it ends at CH or GR, which is bracketed.
+// stop any more; orbits that stick belong to it while their stuck phases, and the impacts that lead
+// to none, are the same: it ends at CH or GR, which is bracketed.
 #pragma once
 
 #include <map>
@@ -11,8 +11,8 @@
 
 namespace graze {
 
-// How far apart, in units of the unknowns and ranges of the parameters, an orbit and what is none
-// any more may be where a locus ends between them.
+// Largest distance, in units of the unknowns and ranges of the parameters, between an orbit and a
+// solution that is none, where a locus ends between them.
 inline constexpr double kLocusBracket = 1e-7;
 
 class FixedPhaseLocus : public LocusOrbits {
@@ -24,7 +24,7 @@ class FixedPhaseLocus : public LocusOrbits {
   std::optional<LocusPlace> place(const LocusSite& at,
                                   std::optional<LocusMargin> zero) const override;
   ImpactPattern pattern(const std::vector<LocusPlace>& places) const override;
-  // Keeps the places that it goes on from: after a stop no motion is followed any more.
+  // Keeps the places that it goes on from: after a stop no motion can be followed.
   bool goes_on(const LocusSite& previous, const LocusSite& here) const override {
     keep(previous);
     return keep(here);
@@ -46,8 +46,8 @@ class FixedPhaseLocus : public LocusOrbits {
 
 class ReleaseLocus : public FixedPhaseLocus {
  public:
-  // `completing`: along CH, where every motion means one whose chatter completes, on either side;
-  // whether it still sticks is rounding.
+  // `completing`: along CH, where a motion on either side stands for the one whose chatter
+  // completes, and whether it sticks is rounding.
   explicit ReleaseLocus(const SegmentEquations& equations, bool completing = false);
 
   std::optional<LocusPlace> place(const LocusSite& at,
@@ -58,20 +58,20 @@ class ReleaseLocus : public FixedPhaseLocus {
   OrbitLocusEnd end_at(const LocusSite& last) const override;
 
  protected:
-  // Whose segments are those of its orbits.
+  // The segments of its orbits.
   virtual std::optional<SegmentShooting> shooting_at(const LocusSite& /*at*/) const {
     return equations_.shooting();
   }
-  // With its section at the release itself, where no stuck phase may be left.
+  // The place with its section at the release itself, where no stuck phase may be left.
   std::optional<LocusPlace> place_at_release(const LocusSite& at,
                                              const std::optional<GrazingContact>& grazing) const;
 
  private:
   // `minima`: as in SegmentOptions.
   std::optional<ReleaseReturn> return_at(const LocusSite& at, bool minima) const;
-  // What happens from the release on; nothing where the motion is none of this layout.
+  // The events from the release on; nullopt when the motion does not fit this layout.
   std::optional<Itinerary> itinerary_at(const LocusSite& at) const;
-  // How the locus ends between neighbours; nothing where it goes on.
+  // How the locus ends between neighbours; nullopt when it goes on.
   std::optional<OrbitLocusEnd> change(const LocusSite& before, const LocusSite& now) const;
 
   bool completing_;

@@ -2,7 +2,8 @@
 // instant at which its stop is released, by the distance of chatter_completion.hpp in the unknowns
 // u of an orbit at that release and one parameter, over the other.
 //
-// The slope of that distance is told by differences: Newton's method ends where it is zero.
+// The slope of that distance is computed by differences: Newton's method ends where the distance is
+// zero, whatever the slope.
 #pragma once
 
 #include "graze/bifurcation/loci/detail/orbit_curve.hpp"
@@ -12,7 +13,7 @@ namespace graze {
 
 class CompletionCurve : public OrbitCurve {
  public:
-  // Of orbits at a release of the stop on which the chatter completes.
+  // For orbits at a release of the stop on which the chatter completes.
   explicit CompletionCurve(const SegmentEquations& equations);
 
  private:

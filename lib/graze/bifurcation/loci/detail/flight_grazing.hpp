@@ -1,5 +1,5 @@
 // Loci of grazing: the curves in the plane of two parameters along which an orbit touches a stop.
-// Its touch is an impact at zero speed, so that they are solutions of the shooting equations with
+// The touch is an impact at zero speed, so that they are solutions of the shooting equations with
 // one more,
 //
 //   row.q'_i = 0   at the impact i that touches,
@@ -15,8 +15,8 @@ namespace graze {
 
 class FlightGrazing : public OrbitCurve {
  public:
-  // Of the impact `grazing`. The multipliers are those of the orbit without its grazing contact,
-  // none where that has no impact. `unit`: as of OrbitCurve.
+  // For the impact `grazing`. The multipliers are those of the orbit without its grazing contact,
+  // none where it has no other impact. `unit`: as of OrbitCurve.
   FlightGrazing(const FlightEquations& equations, std::size_t grazing, double unit);
 
  private:

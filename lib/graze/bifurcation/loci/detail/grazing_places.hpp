@@ -1,4 +1,4 @@
-// Boundaries among the places of a traced locus: what is one grazing is one place.
+// Boundaries among the places of a traced locus: merges the places of one grazing.
 #pragma once
 
 #include <array>
@@ -9,17 +9,17 @@
 
 namespace graze {
 
-// In ranges of the parameters.
+// Distance in ranges of the parameters.
 double distance(const OrbitLocusPoint& a, const OrbitLocusPoint& b, const LocusOptions& options);
 
-// A locus of folds, doublings or tori that creeps up to a grazing ends on it. `unit`: of speeds,
-// m/s.
+// Lets a locus of folds, doublings or tori that creeps up to a grazing end on it. `unit`: of
+// speeds, m/s.
 void end_on_grazing(std::vector<LocusPlace>& places, std::array<OrbitLocusEnd, 2> ends,
                     double unit);
 
-// As an impact speed vanishes an approach touches too: one grazing, not two. A locus that was
-// started there has it among its points as well, on whatever side the last bit puts it. `unit`: of
-// speeds, m/s.
+// Where an impact speed vanishes an approach touches, too: one grazing, not two. A locus that was
+// started there has it among its points as well, on either side of the last bit. `unit`: of speeds,
+// m/s.
 void merge_boundaries(std::vector<LocusPlace>& places, const LocusOptions& options, double unit);
 
 }  // namespace graze

@@ -1,6 +1,5 @@
-// Traces loci of orbits in the plane of two parameters, of whatever layout, each once: folds,
-// period doublings and tori by the equations of the orbits, grazings and CH by a condition of their
-// own.
+// Traces loci of orbits of any layout in the plane of two parameters, each once: folds, period
+// doublings and tori by the equations of the orbits, grazings and CH by equations of their own.
 #pragma once
 
 #include <deque>
@@ -18,15 +17,15 @@
 
 namespace graze {
 
-// What came of a start.
+// The locus of a start.
 struct LocusAnswer {
-  std::optional<LocusTrace> trace;   // nothing where it leads to no locus
+  std::optional<LocusTrace> trace;   // nullopt when the start leads to no locus
   std::optional<Locus> critical;     // the same as it was traced, of LP, PD and NS,
   std::vector<SolutionPoint> curve;  // or of GR and CH
   long long evaluations = 0;         // of the shooting equations
 };
 
-// One thread at a time.
+// For one thread at a time.
 class LocusTracer {
  public:
   // Requires that the scene allows its own values. Refers to the scene. `segment`: as of
@@ -36,14 +35,14 @@ class LocusTracer {
   LocusTracer(const LocusTracer&) = delete;
   LocusTracer& operator=(const LocusTracer&) = delete;
 
-  // Whether the start leads to a locus that was made known.
+  // Whether the start leads to a known locus.
   bool knows(const OrbitLocusStart& start);
-  // Its locus, known or not: depends on the start alone, and on the closure speed.
+  // Its locus, known or not: depends only on the start and on the closure speed.
   LocusAnswer trace(const OrbitLocusStart& start);
-  // Makes what came of a start known.
+  // Adds the locus of a start to the known ones.
   void know(const OrbitLocusStart& start, LocusAnswer answer);
 
-  // m/s, of the first orbit with one that it was asked of; nothing before.
+  // m/s, that of the first orbit that has one; nullopt before.
   std::optional<double> closure_speed() const { return closure_speed_; }
   void set_closure_speed(std::optional<double> speed) { closure_speed_ = speed; }
   double speed_unit() const { return scale_.speed; }  // m/s, of the forced motion
@@ -66,7 +65,7 @@ class LocusTracer {
     Vector unknown;
   };
 
-  // Every way in which the equations have its orbit; the one to start from first.
+  // Every form of its orbit as a solution of the equations; the preferred one first.
   std::vector<Written> written(const OrbitLocusStart& start);
   Critical& critical_of(const LaidOrbits& orbits);
   static bool is_along(OrbitLocusKind kind);  // a curve with a condition of its own
@@ -82,7 +81,7 @@ class LocusTracer {
   CurveStart completion(const OrbitLocusStart& start);
   LocusTrace as_trace(OrbitLocusKind kind, const LocusOrbits& orbits, const Locus& locus) const;
   LocusTrace as_trace(OrbitLocusKind kind, const OrbitCurve& curve, const PlaneCurve& traced) const;
-  // `sites`: of the points, those beyond its ends among them.
+  // `sites`: of the points, including those beyond its ends.
   struct Within;
   LocusTrace assembled(OrbitLocus frame, const LocusOrbits& orbits,
                        const std::vector<LocusSite>& sites, std::array<LocusEnd, 2> ends,

@@ -1,6 +1,5 @@
-// The orbits of one impact pattern, by flights from impact to impact that are prescribed: the
-// shooting equations as an orbit problem. Their solutions go on beyond the grazings at which they
-// stop being orbits of the system.
+// The orbits of one impact pattern, by prescribed flights from impact to impact: the shooting
+// equations as an orbit problem. Beyond the grazings their solutions are virtual.
 #pragma once
 
 #include "graze/bifurcation/problem/detail/orbit_problem.hpp"
@@ -9,7 +8,7 @@ namespace graze {
 
 class FlightEquations : public OrbitProblem {
  public:
-  // `scale` is that of one place for all: the metric must not change on the way.
+  // `scale` is that of one value of the parameters: the metric must not change along a branch.
   FlightEquations(const Scene& scene, const std::vector<std::string>& parameters,
                   ImpactPattern pattern, const MotionScale& scale);
 
@@ -18,14 +17,14 @@ class FlightEquations : public OrbitProblem {
   OrbitLayout orbit_layout() const override { return pattern(); }
   int period() const override { return pattern().period; }
 
-  // Of a branch: the impacts of a solution; requires its value to be allowed, as do the
+  // For a branch: the impacts of a solution; requires an allowed value of the parameter, as do the
   // classifications.
   std::vector<ImpactPoint> points(const SolutionPoint& solution) const;
   // The classification without multipliers.
   Admissibility admissibility_of(const SolutionPoint& solution) const;
   OrbitBranchPoint orbit_at(const SolutionPoint& solution) const;
 
-  // Nothing where the scene does not allow the value.
+  // Returns nullopt when the scene does not allow the value.
   std::optional<OrbitBranchPoint> judge(const SolutionPoint& solution) const override;
   void name(OrbitBranch& branch) const override { branch.pattern = pattern(); }
   Vector halves_differ(const SolutionPoint& solution) const override;

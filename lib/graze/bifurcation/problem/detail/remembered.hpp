@@ -1,5 +1,5 @@
-// The answers to the questions asked last, where the same are asked again and again: of both ends
-// of a step of a branch, and of a solution between.
+// A cache of the latest results, for functions that are called again and again for both ends of a
+// step of a branch, and for a solution between.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,7 @@ namespace graze {
 template <class Question, class Answer>
 class Remembered {
  public:
-  // The answer, by `find` where it is not remembered. The reference holds until another question is
-  // asked.
+  // The result, computed by `find` if it is not cached. The reference is valid until the next call.
   template <class Find>
   const Answer& answer(const Question& question, const Find& find) {
     for (const Known& known : known_)

@@ -3,7 +3,7 @@
 //
 //   (M - 1) (x - x_0) = 0.
 //
-// Its solutions go on beyond the grazings at which they stop being orbits of the system.
+// Beyond the grazings its solutions are virtual.
 #pragma once
 
 #include "graze/bifurcation/problem/detail/orbit_problem.hpp"
@@ -13,21 +13,21 @@ namespace graze {
 
 class ResponseEquations : public OrbitProblem {
  public:
-  // `scale` is that of one place for all.
+  // `scale` is that of one value of the parameters.
   ResponseEquations(const Scene& scene, const std::vector<std::string>& parameters,
                     const MotionScale& scale);
 
   OrbitLayout orbit_layout() const override { return ImpactPattern{}; }
   int period() const override { return 1; }
-  // Nothing where the scene does not allow the value, or there is no response.
+  // Returns nullopt when the scene does not allow the value, or there is no response.
   std::optional<Response> response(const SolutionPoint& solution) const;
-  // The unknowns at a value; nothing likewise.
+  // The unknowns at a value; nullopt likewise.
   std::optional<Vector> unknowns_at(double value) const;
 
   std::optional<OrbitBranchPoint> judge(const SolutionPoint& solution) const override;
   void name(OrbitBranch& branch) const override { branch.pattern = {}; }
   Vector halves_differ(const SolutionPoint& /*solution*/) const override { return {}; }
-  // Linear motions do not double: the same.
+  // Linear motions do not double: returns the same problem.
   std::unique_ptr<OrbitProblem> doubled() const override;
   SolutionPoint twice_round(const SolutionPoint& solution) const override { return solution; }
   std::vector<SolutionPoint> rewritings(const OrbitProblem& of, const ContinuationOptions& options,

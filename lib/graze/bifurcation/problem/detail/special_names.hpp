@@ -29,7 +29,7 @@ inline std::string label_of(SpecialKind kind) {
   return "LO";
 }
 
-// Numbers them, each kind from 1.
+// Numbers special points, each kind from 1.
 class SpecialNames {
  public:
   std::string next(SpecialKind kind) { return label_of(kind) + std::to_string(++counts_[kind]); }

@@ -1,5 +1,5 @@
-// Traces branches of orbits from starts, whoever offers them, and switches at their special points;
-// keeps what was found, and knows what has been traced already.
+// Traces branches of orbits from given starts, and switches at their special points; stores the
+// branches found, and recognises what has been traced already.
 #pragma once
 
 #include <deque>
@@ -18,21 +18,21 @@ namespace graze {
 
 class BranchCollector {
  public:
-  // Refers to all of them; counts in `result`. Branches are resolved until the curve of `shown` is
-  // right; empty: they are as they were traced.
+  // Refers to all of them; counts in `result`. Points are added until the curve of `shown` is
+  // smooth; empty: branches are left as they were traced.
   BranchCollector(const SystemFamily& family, const BranchOptions& options,
                   const ShownNumber& shown, OrbitBranches& result);
 
-  // Traces the branch through the orbit, or the solution near these impacts, unless it is known
-  // already or is none. Whether there is a solution.
+  // Traces the branch through the orbit, or through the solution near these impacts, unless it is
+  // known already or not to be listed. Returns whether there is a solution.
   bool trace_from(const Orbit& orbit, double value);
   bool trace_from(const ImpactPattern& pattern, const std::vector<ImpactPoint>& impacts,
                   double value);
-  // The response that meets no stop, through its solution at a value.
+  // Traces the response that meets no stop, through its solution at a value.
   void trace_response(double value);
-  // From a special point, at the family's own value.
+  // Traces from a special point, at the family's own value.
   void trace_from_special(const BranchStart& start);
-  // Switches at the special points, those of one depth after the other.
+  // Switches at the special points, in order of their depth.
   void follow();
 
   const std::vector<FoundBranch>& found() const { return found_; }
@@ -54,13 +54,13 @@ class BranchCollector {
   };
 
   bool trace_written(const Written& start, double value, Origin origin);
-  // What is restarted from, and where it is; nothing where that is not found again.
+  // Forms of the orbit of a restart, and the solution there; nullopt when it is not found again.
   std::vector<Written> written(const SpecialOrbit& at);
   std::optional<SolutionPoint> solution_at(const Written& written, const BranchStart& start) const;
   void trace_restarted(LaidOrbits& orbits, const SolutionPoint& point, const BranchStart& start);
   // Whether the solution lies on a branch that has been traced.
   bool knows(const LaidOrbits& orbits, const SolutionPoint& solution) const;
-  // Whether the branch that leaves a special point does.
+  // Whether the branch that leaves a special point has been traced.
   bool knows_beyond(const LaidOrbits& orbits, const SolutionPoint& start) const;
   std::vector<BranchPiece> trace(LaidOrbits& orbits, const SolutionPoint& start,
                                  Directions directions);

@@ -1,7 +1,7 @@
 // A branch of orbits, traced in pieces: where a contact that begins or ends with a jump of the
-// derivative comes near the stroboscopic section, at which the equations would have a corner though
-// nothing happens to the orbits, the section moves away from all of them and the branch goes on
-// from there.
+// derivative comes near the stroboscopic section, the equations would have a corner although
+// nothing happens to the orbits. There the section is moved away from all such contacts and the
+// branch goes on from there.
 #pragma once
 
 #include <functional>
@@ -27,11 +27,12 @@ struct BranchPiece {
   Branch branch;
 };
 
-// The same orbits in clearer equations (OrbitProblem::clearer); null where they are clear.
+// The same orbits on clearer sections (OrbitProblem::clearer); null where they are clear.
 using Clearer = std::function<LaidOrbits*(const LaidOrbits& orbits, const SolutionPoint& solution)>;
 
-// In order along the branch; each piece but the first begins with the orbit that the one before it
-// ends with. Its solutions go on as its boundaries allow; its period is not halved but at the ends.
+// In order along the branch; each piece but the first begins with the orbit at which the previous
+// one ends. Its solutions extend as far as its boundaries allow; only at the ends may the period be
+// halved.
 std::vector<BranchPiece> trace_pieces(const Clearer& clearer, LaidOrbits& orbits,
                                       const ContinuationOptions& options,
                                       const SolutionPoint& start, Directions directions);

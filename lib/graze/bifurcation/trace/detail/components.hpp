@@ -8,8 +8,8 @@
 
 namespace graze {
 
-// Two branches are of one component where their names are equal, and where both pass a branch
-// point that is the same orbit at the same value.
+// Two branches belong to one component if their names are equal, or if both pass a branch point
+// that is the same orbit at the same value.
 class Components {
  public:
   // `range` of the parameter; `speed_scale`, m/s, of the forced motion.
@@ -17,7 +17,7 @@ class Components {
 
   // Adds a branch, which must outlive this, under a name.
   void add(const OrbitBranch& branch, const std::pair<int, int>& name);
-  // A number for each branch, in the order of their adding; components from 1 by their first one.
+  // Component of each branch, in the order of their adding; numbered from 1 by their first branch.
   std::vector<int> numbers() const;
 
  private:

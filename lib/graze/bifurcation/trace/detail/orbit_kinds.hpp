@@ -1,6 +1,5 @@
-// What differs with the motion between the nodes of a layout, flights that are prescribed or
-// segments that are followed: where branches of its orbits are cut, and what its orbits are along a
-// locus. The one place where that is asked.
+// Selects by the layout of orbits, prescribed flights or segments that are followed, the boundaries
+// of their branches and their properties along a locus. The only place where this is decided.
 #pragma once
 
 #include <memory>
@@ -12,12 +11,12 @@
 
 namespace graze {
 
-// Of orbits over one parameter. Refers to both.
+// For orbits over one parameter. Refers to both arguments.
 std::unique_ptr<BranchBoundaries> boundaries_of(const OrbitProblem& problem,
                                                 const ContinuationOptions& continuation,
                                                 const BranchOptions& options);
 
-// Of orbits over two parameters, to which it refers.
+// For orbits over two parameters. Refers to the problem.
 std::unique_ptr<LocusOrbits> orbits_along(const OrbitProblem& problem);
 
 }  // namespace graze

@@ -1,4 +1,4 @@
-// The problems of all layouts that orbits were met in, over the same parameters.
+// The problems of all layouts of orbits met so far, over the same parameters.
 #pragma once
 
 #include <deque>
@@ -15,13 +15,13 @@ namespace graze {
 class OrbitProblems {
  public:
   // Refers to the scene. `units`: the lengths of the parameters' ranges. `scale`: of the unknowns
-  // of flights. `segment`: but for the closure speed, which is that of the orbits.
+  // of flights. `segment`: all but the closure speed, which is that of the orbits.
   OrbitProblems(const Scene& scene, std::vector<std::string> parameters, std::vector<double> units,
                 const MotionScale& scale, const SegmentOptions& segment);
   OrbitProblems(const OrbitProblems&) = delete;
   OrbitProblems& operator=(const OrbitProblems&) = delete;
 
-  // What a problem is traced with, of its boundaries; none are made before this is set.
+  // Makes the boundaries for a problem; none are made before this is set.
   using MakeBoundaries = std::function<std::unique_ptr<BranchBoundaries>(const OrbitProblem&)>;
   void set_boundaries(MakeBoundaries make) { make_boundaries_ = std::move(make); }
 
@@ -29,31 +29,32 @@ class OrbitProblems {
   struct Written {
     LaidOrbits* orbits = nullptr;
     Vector u;
-    double held = 0.0;  // how long the stop that is released there was closed, s
+    double held = 0.0;  // duration for which the stop that is released there was closed, s
   };
-  // Of one pattern, its impacts in this order.
+  // The problem of one pattern, with its impacts in this order.
   LaidOrbits& flights(const ImpactPattern& pattern);
-  // Without impacts: the response that meets no stop (ResponseEquations).
+  // The problem without impacts: the response that meets no stop (ResponseEquations).
   LaidOrbits& response();
-  // In the pattern's canonical order, and from every impact that it may begin with.
+  // An orbit in the pattern's canonical order, and in all cyclic relabellings that keep the
+  // pattern.
   Written written(const ImpactPattern& pattern, const std::vector<ImpactPoint>& impacts);
   std::vector<Written> rewritings(const ImpactPattern& pattern,
                                   const std::vector<ImpactPoint>& impacts);
-  // Every way in which it can be continued, the one to choose first; none where its stops are never
-  // let go.
+  // Every form in which an orbit can be continued, the preferred one first; none where its stops
+  // are never released.
   std::vector<Written> written(const Orbit& orbit, Parameters at);
   LaidOrbits& doubled(const LaidOrbits& orbits);
-  // Those of period 1 on the same stroboscopic section.
+  // The problem of period 1 on the same stroboscopic section.
   LaidOrbits& fixed_phase_once(const LaidOrbits& orbits);
-  // An orbit that is written on stroboscopic sections, on sections clear of its contacts
-  // (SegmentEquations::clear_of_contacts) and on all those that any were kept for.
+  // An orbit on stroboscopic sections, solved on sections clear of its contacts
+  // (SegmentEquations::clear_of_contacts), and on all sections for which problems exist.
   Written clear_of_contacts(const Written& one, Parameters at);
   std::vector<Written> on_every_section(const Written& one, Parameters at);
-  // As OrbitProblem::clearer; null where that is.
+  // As OrbitProblem::clearer; null where that returns null.
   LaidOrbits* clearer(const LaidOrbits& orbits, const SolutionPoint& solution);
 
  private:
-  // What there is of the layout, or else this.
+  // The existing problem of the layout, or else a new one.
   LaidOrbits& keep(const OrbitLayout& layout, double closure_speed,
                    const std::function<std::unique_ptr<OrbitProblem>()>& make);
 

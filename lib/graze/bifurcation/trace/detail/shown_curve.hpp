@@ -1,5 +1,5 @@
-// Points between those of a traced branch, until the curve that a picture shows of it is right to a
-// pixel: steps follow the unknowns, which may say little of the number that is shown.
+// Adds points between those of a traced branch until the drawn curve is accurate to a pixel: steps
+// follow the unknowns, which may vary little where the drawn quantity varies much.
 #pragma once
 
 #include "graze/bifurcation/trace/detail/branch_pieces.hpp"
@@ -7,7 +7,7 @@
 
 namespace graze {
 
-// Of a branch of these orbits, as traced with these options. Stops where those do.
+// `branch` is one of these orbits, traced with these options. Stops when their signal is given.
 void resolve_shown(const LaidOrbits& orbits, const ContinuationOptions& options,
                    const ShownNumber& shown, Branch& branch);
 
