@@ -41,6 +41,10 @@ Chart chart_of(const BranchRecord& record, bool multipliers = false);
 // each, and exponents; over them the branches.
 Chart chart_of(const DiagramRecord& record, bool multipliers = false);
 
+// The same for a page: its things are the motions, any two of whose numbers may be its axes.
+Chart explored_chart(const BranchRecord& record);
+Chart explored_chart(const DiagramRecord& record);
+
 // Loci in the plane of two parameters, each kind in a colour and a dash of its own; parts whose
 // orbits are none of the system grey. Points of codimension two are marked and named; what is
 // stable, where the record has it, is a ground below.

@@ -1,6 +1,6 @@
 // Loci of special points over a map: lines with a border like the ground of the page, which are seen
 // on any colour, and the points of codimension two with their names.
-import { markLabel } from './diagram_option.js';
+import { markLabel } from './charts_option.js';
 import { lookEntry } from './legend.js';
 import { pen, stamp } from './marks.js';
 import { nearestMark, nearestNode } from './nearest.js';

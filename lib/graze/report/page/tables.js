@@ -1,8 +1,6 @@
 // Below the picture: special points or orbits as a table that keys reach too, what the run said, and
 // what made it.
 import { element, measure, number, table } from './format.js';
-import { specialLook } from './marks.js';
-import { specialTitle } from './special_title.js';
 
 function folded(title, open, ...content) {
   const details = element('details', open ? { open: '' } : {}, element('summary', {}, title), ...content);
@@ -13,20 +11,11 @@ function opener(text, open) {
   return element('button', { type: 'button', onclick: open }, text);
 }
 
-function specialTable(view, openOrbit) {
-  const rows = view.special.map((special) => [
-    special.orbit >= 0 ? opener(special.id, () => openOrbit(special.orbit, special.value, specialTitle(view, special))) : special.id,
-    specialLook(view.looks, special.label).title, measure(view.parameter, special.value, 10), String(special.branch),
-    special.more.map(([name, value]) => `${name} ${value}`).join(', '),
-  ]);
-  return table([['', 'special point', view.parameter.name, 'branch', ''], ...rows]);
-}
-
 function orbitTable(view, orbits, openOrbit) {
   const rows = Array.from({ length: orbits.count }, (_, i) => {
     const orbit = orbits.get(i);
     const fastest = Math.max(...orbit.impacts.map((impact) => impact.speed));
-    return [opener(orbit.name, () => openOrbit(i, null)), orbit.stability, String(orbit.impacts.length), orbit.impacts.length > 0 ? measure(orbit.speed, fastest) : '–'];
+    return [opener(orbit.name, () => openOrbit(i)), orbit.stability, String(orbit.impacts.length), orbit.impacts.length > 0 ? measure(orbit.speed, fastest) : '–'];
   });
   return table([['orbit', '', 'impacts', 'fastest'], ...rows]);
 }
@@ -60,11 +49,10 @@ export function fillTables(root, view, orbits, open) {
   const parts = [];
   if (view.kind === 'map' && view.cells) parts.push(kindTable(view, open));
   if (view.loci?.special.length > 0) parts.push(codimensionTwoTable(view));
-  if (view.special?.length > 0)
-    parts.push(folded(`${view.special.length} special points`, view.special.length <= 12, specialTable(view, open)));
   if (view.kind === 'orbits' && orbits.count > 0) parts.push(orbitTable(view, orbits, open));
-  for (const { name, columns, rows } of view.tables ?? [])
-    parts.push(folded(name, rows.length <= 12, table([columns, ...rows])));
+  for (const { name, columns, rows, opens } of view.tables ?? [])
+    parts.push(folded(name, rows.length <= 12, table([columns, ...rows.map(([first, ...cells], i) => [
+      opens[i] >= 0 ? opener(first, () => open(opens[i])) : first, ...cells])])));
   const said = [...(view.head.warnings ?? []), ...(view.notes ?? [])];
   if (said.length > 0)
     parts.push(folded(`${said.length} ${said.length === 1 ? 'note' : 'notes'} of the run`, said.length <= 3,
