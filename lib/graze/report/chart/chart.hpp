@@ -55,7 +55,11 @@ struct ChartCells {
   // From the outer edge of the first column or row to that of the last, SI.
   std::array<double, 2> x{}, y{};
   std::vector<Ground> grounds;
-  std::vector<int> ground;                // of every cell, -1: none
+  std::vector<int> ground;  // of every cell, -1: none
+  // For a page, where every cell is the thing of its index: the values at their middles, what its
+  // grounds tell together, and the key of the number that is shown in their place; or none.
+  std::array<std::vector<double>, 2> middles = {};
+  std::string name = {}, shown = {};
   std::vector<double> numbers = {};       // of every cell, SI, a NaN: none; or no cell has one
   ChartAxis bar = {};                     // of the numbers
   std::vector<std::string> colours = {};  // of the bar, at equal steps from its low end
@@ -86,14 +90,15 @@ struct ChartPanel {
 // page tells them of a point, and shows the first panel over any two of them.
 struct ChartThings {
   struct Number {
-    ChartAxis axis;                       // with its key
-    bool is_single = true;                // else a thing may have several
-    bool is_axis = true;                  // else it is only told
-    std::vector<double> values = {};      // thing by thing, SI, a NaN: none
-    std::vector<std::size_t> first = {};  // of several: where those of each begin, and the end
-    std::optional<double> level = {};     // a line across
-    std::optional<double> turn = {};      // of an angle, after which it is the same
-    std::size_t rough = 0;                // values from the front that are drawn, no more
+    ChartAxis axis;                         // with its key
+    bool is_single = true;                  // else a thing may have several
+    bool is_axis = true;                    // else it is only told
+    std::vector<double> values = {};        // thing by thing, SI, a NaN: none
+    std::vector<std::size_t> first = {};    // of several: where those of each begin, and the end
+    std::optional<double> level = {};       // a line across
+    std::optional<double> turn = {};        // of an angle, after which it is the same
+    std::vector<std::string> colours = {};  // of a bar, where cells are shown by it
+    std::size_t rough = 0;                  // values from the front that are drawn, no more
   };
   struct Kind {
     std::string title;  // "branch 1, (1,1): stable"

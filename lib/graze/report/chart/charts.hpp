@@ -53,6 +53,12 @@ Chart chart_of(const LociRecord& record);
 // The plane of two numbers, a ground for each attractor, or a scale of colours for what is shown;
 // over it the loci.
 Chart chart_of(const MapRecord& record);
+// The same for a page: its cells are things, shown by what they settle on or by any of their
+// numbers.
+Chart explored_chart(const MapRecord& record);
+Chart explored_chart(const ComparisonMapRecord& record);
+// Likewise by what is stable where, if the record has it.
+Chart explored_chart(const LociRecord& record);
 // Over a plane, a ground for what both motions settle on, or a scale for a difference.
 Chart chart_of(const ComparisonMapRecord& record);
 

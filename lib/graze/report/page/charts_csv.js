@@ -20,10 +20,11 @@ function columnsOf(drawn) {
 }
 
 export function chartsTable(view) {
-  const { drawn, things } = view;
+  const { drawn, things, cells } = view;
   const table = new CsvTable(['series', ...(things ? ['of'] : [])]);
   const axes = columnsOf(drawn);
   for (const [x, y] of axes) for (const { name } of [x, y]) table.column(name);
+  if (cells) addCells(table, cells, axes[0], view.inView(0), (title) => view.shows(title));
   for (const { panel, lines, i, x, y } of drawn) {
     const seen = view.inView(i);
     for (const line of lines) {
@@ -40,4 +41,18 @@ export function chartsTable(view) {
     }
   }
   return table;
+}
+
+// With the number that they show.
+function addCells(table, cells, [x, y], seen, shows) {
+  const { number, grounds, ground, things } = cells;
+  if (number) table.column(axisName(number));
+  for (let cell = 0; cell < ground.length; ++cell) {
+    const kind = things.kindOf(cell);
+    if (!kind || (!number && !shows(grounds[ground[cell]].title))) continue;
+    const [across, up] = cells.placeOf(cell);
+    if (!(across >= seen.x[0] && across <= seen.x[1] && up >= seen.y[0] && up <= seen.y[1])) continue;
+    table.row(['series', 'cell'], ['of', kind.title], [x.name, x.text(across)], [y.name, y.text(up)],
+      ...(!number ? [] : [[axisName(number), digits(number.factor * number.values[cell], 8)]]));
+  }
 }

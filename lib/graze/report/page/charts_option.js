@@ -9,6 +9,7 @@ const kPixels = 58;  // of a centimetre of a picture
 const kLeft = 92, kRight = 20, kTop = 14, kHertzTop = 52, kBottom = 50, kBetween = 22, kBeside = 96;  // px
 const kHeading = 17;  // above its panel, px
 const kMany = 300;  // marks, beyond which they are small
+const kBorder = 1.6;  // of lines over cells, px on both sides
 const kWhole = 0.6;  // of a mark's size where there are that many
 
 const sameAxis = (a, b) => ['name', 'unit', 'low', 'high', 'scale'].every((key) => a[key] === b[key]);
@@ -57,7 +58,7 @@ function grids(panels, size) {
 
 // One of `drawn`: { panel, i, x, y (AxisScale), ranges: { x, y }, lines } with `lines` as placed() has them.
 // `labels`: { things, on }. Dots lie under the chart (dot_layer.js).
-function curveSeries({ i, y, ranges, lines }, theme, shows, labels) {
+function curveSeries({ panel, i, y, ranges, lines }, theme, shows, labels) {
   const common = { xAxisIndex: i, yAxisIndex: i, silent: true, animation: false, clip: true };
   return lines.flatMap((line, k) => {
     const { series } = line;
@@ -65,6 +66,8 @@ function curveSeries({ i, y, ranges, lines }, theme, shows, labels) {
     const points = shows(series.title) ? Array.from(line.x, (x, n) => [x, line.y[n]]) : [];
     const parts = [];
     const over = 4 + 2 * k;  // those that come later lie on top
+    if (series.line && panel.cells)  // seen on any colour
+      parts.push({ ...common, id: `border ${i} ${k}`, type: 'line', data: points.length > 0 ? nearAxes(line, ranges.x, ranges.y) : [], showSymbol: false, z: 3, lineStyle: { color: theme.colours.paper, width: pen(series.look, theme).width + 2 * kBorder, type: 'solid' } });
     if (series.line)
       parts.push({ ...common, id: `curve ${i} ${k}`, type: 'line', data: points.length > 0 ? nearAxes(line, ranges.x, ranges.y) : [], showSymbol: false, z: over, lineStyle: pen(series.look, theme) });
     if (series.error) parts.push(errorBars(series, points, { id: `error ${i} ${k}`, z: over }, y, ranges.y, theme, common));
@@ -90,7 +93,7 @@ function nameSeries({ i, lines }, theme, shows, { things, on }, inView) {
 }
 
 // A name above its place.
-export function markLabel(theme, show) {
+function markLabel(theme, show) {
   return {
     show, formatter: '{b}', position: 'top', distance: 3, fontSize: 11, color: theme.colours.ink,
     textBorderColor: theme.colours.paper, textBorderWidth: 2.5,
@@ -138,19 +141,31 @@ function zooms(drawn) {
     if (group) group.push(i);
     else groups.push([i]);
   }
-  const common = { type: 'inside', filterMode: 'none', minSpan: 1e-6 };
+  // No deeper than two cells.
+  const common = (i, along) => ({ type: 'inside', filterMode: 'none', minSpan: drawn[i].panel.cells ? Math.min(100, 200 / drawn[i].panel.cells[along].length) : 1e-6 });
   return [
-    ...groups.map((group, k) => ({ ...common, id: `across ${k}`, xAxisIndex: group })),
-    ...drawn.map(({ i }) => ({ ...common, id: `upright ${i}`, yAxisIndex: [i], zoomOnMouseWheel: 'shift' })),
+    ...groups.map((group, k) => ({ ...common(group[0], 'columns'), id: `across ${k}`, xAxisIndex: group })),
+    ...drawn.map(({ i }) => ({ ...common(i, 'rows'), id: `upright ${i}`, yAxisIndex: [i], zoomOnMouseWheel: 'shift' })),
   ];
 }
 
-// `inView(i)`: { x, y } of a panel.
-export function chartsOption({ drawn, theme, shows, labels, inView, size }) {
+// Lines at the tics are for panels without cells.
+const unlined = ({ cells }) => (cells ? { splitLine: { show: false } } : {});
+
+// The cell that is opened, by its place; or null.
+export function markedSeries(place, theme) {
+  return [{
+    id: 'marked', type: 'scatter', data: place ? [place] : [], silent: true, symbol: 'rect', symbolSize: 11, z: 100,
+    itemStyle: { color: 'transparent', borderColor: theme.colours.ink, borderWidth: 2.5, opacity: 1, shadowColor: theme.colours.paper, shadowBlur: 3 },
+  }];
+}
+
+// `inView(i)`: { x, y } of a panel; `marked`: as of markedSeries().
+export function chartsOption({ drawn, theme, shows, labels, inView, size, marked }) {
   const { colours } = theme;
   const panels = drawn.map(({ panel }) => panel);
   const across = drawn.map(({ panel, i, x, ranges }) => {
-    const made = axis(colours, sharesAxis(panels, panel) ? '' : x.name, ...ranges.x, { gridIndex: i, nameGap: 30 });
+    const made = axis(colours, sharesAxis(panels, panel) ? '' : x.name, ...ranges.x, { gridIndex: i, nameGap: 30, ...unlined(panel) });
     if (sharesAxis(panels, panel)) made.axisLabel = { show: false };
     return made;
   });
@@ -168,9 +183,10 @@ export function chartsOption({ drawn, theme, shows, labels, inView, size }) {
       textStyle: { color: colours.ink, fontSize: 12, fontWeight: 'normal' },
     }] : [])),
     yAxis: drawn.map(({ i, y, ranges }) => axis(colours, y.name, ...ranges.y, {
-      gridIndex: i, nameGap: 52, splitNumber: 4, nameTextStyle: { color: colours.ink, fontSize: 12, lineHeight: 14 },
+      gridIndex: i, nameGap: 52, splitNumber: 4, ...unlined(panels[i]), nameTextStyle: { color: colours.ink, fontSize: 12, lineHeight: 14 },
     })),
-    series: drawn.flatMap((one) => [...groundSeries(one, theme, shows), ...curveSeries(one, theme, shows, labels), nameSeries(one, theme, shows, labels, inView(one.i))]),
+    series: drawn.flatMap((one) => [...groundSeries(one, theme, shows), ...curveSeries(one, theme, shows, labels), nameSeries(one, theme, shows, labels, inView(one.i))])
+      .concat(markedSeries(marked, theme)),
     dataZoom,
   };
 }

@@ -3,8 +3,10 @@
 import { keepZoom, partInView } from './axes_in_view.js';
 import { AxisChoice } from './axis_choice.js';
 import { AxisScale } from './axis_scale.js';
+import { openCell } from './cell_panel.js';
+import { Cells } from './cells.js';
 import { chartsTable } from './charts_csv.js';
-import { chartsHeight, chartsInView, chartsOption, isCloud } from './charts_option.js';
+import { chartsHeight, chartsInView, chartsOption, isCloud, markedSeries } from './charts_option.js';
 import { DotLayer } from './dot_layer.js';
 import { init } from './echarts_parts.js';
 import { ExportTools } from './export_tools.js';
@@ -17,7 +19,7 @@ import { OrbitPanel } from './orbit_panel.js';
 import { placed, Things } from './things.js';
 import { ZoomTools } from './zoom_tools.js';
 
-const kReach = 14;  // px
+const kReach = 14, kReachOverCells = 8;  // px
 const kMostDecades = 12, kMostDecadesOfThings = 6;  // of a logarithmic axis: below lies where speeds vanish
 
 // What an axis spans, as numbers along it: what the program says, but of a logarithm what is drawn.
@@ -51,14 +53,19 @@ export class ChartsView {
     this.legend = new Legend(document.getElementById('legend'), theme, [], () => this.draw());
     this.zoom = new ZoomTools(this.chart, this.root);
     this.labels = new LabelTool(this.things?.kinds.some(({ name }) => name) ?? false, () => this.draw());
-    this.export = new ExportTools({ theme, chart: this.chart, legend: this.legend, under: this.dots.canvas, table: () => chartsTable(this) });
-    if (this.things) {
-      this.panel = new OrbitPanel({ ...view, parameter: this.things.parameter }, theme, () => window.dispatchEvent(new Event('resize')));
-      const [x, y] = [view.rows[0][0].x, view.rows[0][0].y].map(({ key }) => this.things.number(key));
-      this.axes = new AxisChoice(this.things.axes, { x, y }, () => this.place());
-    }
-    document.getElementById('observables').hidden = !this.axes;
-    document.getElementById('hint').textContent = `wheel: zoom · shift + wheel: zoom upright · drag: move${this.things ? ' · click: the orbit' : ''}`;
+    this.export = new ExportTools({
+      theme, chart: this.chart, legend: this.legend, under: this.dots.canvas, bar: () => this.cells?.bar ?? null, table: () => chartsTable(this),
+    });
+    if (this.things)
+      this.panel = new OrbitPanel({ ...view, parameter: this.things.parameter }, theme, () => window.dispatchEvent(new Event('resize')), () => this.mark(null));
+    const [first] = view.rows[0] ?? [];
+    if (first?.x.key)
+      this.axes = new AxisChoice(this.things.axes, { x: this.things.number(first.x.key), y: this.things.number(first.y.key) }, () => this.place());
+    if (first?.cells)
+      this.cells = new Cells(this.dots.canvas, first, { x: new AxisScale(first.x), y: new AxisScale(first.y) }, this.things, view.looks.none, () => this.place());
+    document.getElementById('observables').hidden = !this.axes && !(this.cells?.numbers.length > 0);
+    this.opens = this.cells ? 'the cell' : this.things?.kept.length > 0 ? 'the orbit' : '';
+    document.getElementById('hint').textContent = `wheel: zoom · shift + wheel: zoom upright · drag: move${this.opens ? ` · click: ${this.opens}` : ''}`;
     this.place();
     this.listen();
   }
@@ -96,10 +103,10 @@ export class ChartsView {
       return { panel, i, ...scales, lines, ranges: { x: range('x'), y: range('y') } };
     });
     this.stage.style.height = `max(${chartsHeight(this.drawn.map(({ panel }) => panel))}px, min(68vh, 720px))`;
-    this.legend.entries = chartEntries(this.drawn, this.view.legend);
+    this.legend.entries = chartEntries(this.drawn, this.view.legend, this.cells?.entries ?? []);
     this.legend.draw();
     this.chosen = null;
-    if (this.chart.getOption()) this.zoom.whole();
+    if (this.chart.getOption() && this.axes) this.zoom.whole();
     this.draw();
   }
 
@@ -117,13 +124,15 @@ export class ChartsView {
     const zr = this.chart.getZr();
     zr.on('mousemove', (event) => {
       const found = this.nearest(event.offsetX, event.offsetY);
-      zr.setCursorStyle(found && this.orbitOf(found) >= 0 ? 'pointer' : 'default');
+      zr.setCursorStyle(found && (found.cell !== undefined || this.orbitOf(found) >= 0) ? 'pointer' : 'default');
       if (found) this.show(found);
       else this.hover.hide();
     });
     zr.on('globalout', () => this.hover.hide());
     zr.on('click', (event) => {
-      const found = this.nearest(event.offsetX, event.offsetY);
+      const place = [event.offsetX, event.offsetY];
+      const cell = this.cells?.cellAt(this.plane(0), place) ?? null;
+      const found = cell === null ? this.nearest(...place) : { cell };
       if (found) this.open(found);
     });
     this.root.addEventListener('keydown', (event) => this.key(event));
@@ -144,6 +153,7 @@ export class ChartsView {
     return {
       drawn: this.drawn, theme: this.theme, shows: (title) => this.shows(title), labels: { things: this.things, on: this.labels.on && this.things !== null },
       inView: (i) => this.inView(i, dataZoom), size: { width: this.root.clientWidth, height: this.root.clientHeight },
+      marked: this.marked ?? null,
     };
   }
 
@@ -153,7 +163,15 @@ export class ChartsView {
     this.chart.setOption(option, { notMerge: true });
     this.chart.setOption(chartsInView(this.picture));
     this.show(null);
+    this.cells?.paint(this.theme, (title) => this.shows(title));
     this.drawInView();
+  }
+
+  // The cell that is opened, or null.
+  mark(cell) {
+    if (!this.cells) return;
+    this.marked = cell === null ? null : this.cells.placeOf(cell);
+    this.chart.setOption({ series: markedSeries(this.marked, this.theme) });
   }
 
   zoomed() {
@@ -166,7 +184,8 @@ export class ChartsView {
 
   drawInView() {
     const { dataZoom } = this.chart.getOption();
-    this.dots.draw(this.drawn.map(({ i, lines }) => ({
+    if (this.cells) this.cells.draw(this.plane(0, dataZoom));
+    else this.dots.draw(this.drawn.map(({ i, lines }) => ({
       plane: this.plane(i, dataZoom),
       clouds: lines.filter(({ series }) => isCloud(series) && this.shows(series.title))
         .map(({ x, y, series: { look } }) => ({ x, y, colour: this.theme.shade(look.colour), fades: look.id === 'wild' })),
@@ -176,7 +195,8 @@ export class ChartsView {
       const range = (scale, [low, high]) => `${scale.measure(low)} to ${scale.measure(high)}`;
       return `${plain(panel.y.name)} from ${range(y, seen.y)} over ${plain(panel.x.name)} from ${range(x, seen.x)}`;
     });
-    this.root.setAttribute('aria-label', `${told.join('; ')}. Arrow keys go from point to point${this.things ? ', Enter opens the orbit' : ''}.`);
+    const map = this.cells ? `Map of the ${this.cells.number?.name ?? this.cells.name}: ` : '';
+    this.root.setAttribute('aria-label', `${map}${told.join('; ')}. Arrow keys go from ${this.cells ? 'cell to cell' : 'point to point'}${this.opens ? `, Enter opens ${this.opens}` : ''}.`);
   }
 
   // Where a panel is, px, and what of it is in view.
@@ -189,8 +209,10 @@ export class ChartsView {
     for (const { i, lines } of this.drawn) {
       const plane = this.plane(i);
       if (px < plane.left - kReach || px > plane.right + kReach || py < plane.top - kReach || py > plane.bottom + kReach) continue;
-      const found = nearestInPanel(lines.filter(({ series }) => this.shows(series.title)), plane, [px, py], kReach);
-      return found && { panel: i, ...found };
+      const found = nearestInPanel(lines.filter(({ series }) => this.shows(series.title)), plane, [px, py], this.cells ? kReachOverCells : kReach);
+      if (found) return { panel: i, ...found };
+      const cell = this.cells?.cellAt(plane, [px, py]) ?? null;
+      return cell === null ? null : { cell };
     }
     return null;
   }
@@ -199,11 +221,18 @@ export class ChartsView {
   show(found) {
     if (!found) return this.hover.hide();
     this.chosen = found;
+    if (found.cell !== undefined) return this.showCell(found.cell);
     const { panel: i, line, node } = found;
     const [x, y] = this.chart.convertToPixel({ gridIndex: i }, [line.x[node], line.y[node]]);
     const thing = this.thingOf(found);
     const title = thing < 0 ? line.series.title || plain(this.drawn[i].panel.y.name) : this.things.kindOf(thing).title;
     return this.hover.show({ x, y }, title, this.valuesOf(found), this.orbitOf(found) >= 0 ? 'click: the orbit' : '');
+  }
+
+  showCell(cell) {
+    const [x, y] = this.chart.convertToPixel({ gridIndex: 0 }, this.cells.placeOf(cell));
+    this.hover.show({ x, y }, this.cells.titleOf(cell), this.cells.valuesOf(cell, 5),
+      this.cells.orbitOf(cell) < 0 ? 'click: how to follow it' : 'click: what it does');
   }
 
   // Names and values.
@@ -232,17 +261,24 @@ export class ChartsView {
 
   open(found) {
     this.show(found);
-    if (this.orbitOf(found) >= 0) this.openThing(this.thingOf(found));
+    if (found.cell !== undefined) this.openThing(found.cell);
+    else if (this.orbitOf(found) >= 0) this.openThing(this.thingOf(found));
   }
 
   openThing(thing) {
     const { things } = this;
-    this.panel.open(this.orbits.get(things.orbitOf(thing)), things.valueOf(things.parameter, thing));
+    if (this.cells?.has(thing)) {
+      this.show({ cell: thing });
+      this.mark(thing);
+      return openCell(this.panel, this.cells, this.view.cells, this.orbits, thing);
+    }
+    return this.panel.open(this.orbits.get(things.orbitOf(thing)), things.valueOf(things.parameter, thing));
   }
 
   key(event) {
     const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
-    if (step) this.step(...step);
+    if (step && this.cells) this.show({ cell: this.cells.beside(this.chosen?.cell, step[0], -step[1]) });
+    else if (step) this.step(...step);
     else if (event.key === 'Enter' && this.chosen) this.open(this.chosen);
     else return;
     event.preventDefault();

@@ -17,6 +17,7 @@ export class Legend {
   get shown() { return this.entries.filter(({ type }) => this.shows(type)); }
 
   draw() {
+    this.root.hidden = this.entries.length === 0;
     this.root.replaceChildren(...this.entries.map((entry) => element('button', {
       type: 'button', 'data-type': entry.type, 'aria-pressed': String(this.shows(entry.type)),
       onclick: (event) => this.toggle(entry.type, event.currentTarget),
@@ -36,10 +37,11 @@ export function lookEntry(look, type = look.id) {
 }
 
 // Of a chart one for each title, as it looks where it comes first. `order`: titles, which those not among
-// them come before.
-export function chartEntries(drawn, order) {
+// them come before; `grounds`: of cells.
+export function chartEntries(drawn, order, grounds) {
   const entries = new Map();
   const add = (title, swatch) => { if (title && !entries.has(title)) entries.set(title, { type: title, title, swatch }); };
+  for (const { title, colour } of grounds) add(title, (theme) => cellSwatch(theme.shade(colour)));
   for (const { panel, lines } of drawn) {
     for (const { series: { title, look, line, marks } } of lines) add(title, (theme) => lookSwatch(look, theme, { line, marks }));
     for (const { title, colour } of panel.fills) add(title, (theme) => cellSwatch(theme.shade(colour)));

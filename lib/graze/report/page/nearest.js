@@ -12,7 +12,7 @@ export function nearestInPanel(lines, plane, [px, py], reach) {
   const of = (is) => lines.filter(({ series }) => is(series));
   const mark = nearestPoint(of(({ line, dots }) => !line && !dots), place, perPixel, reach);
   if (mark) return mark;
-  const node = nearestNode(of(({ line }) => line), place, perPixel, reach, () => true);
+  const node = nearestNode(of(({ line }) => line), place, perPixel, reach);
   const dot = nearestPoint(of(({ dots }) => dots), place, perPixel, reach);
   return node && !(dot && dot.distance + 2 < node.distance) ? node : dot;
 }
@@ -34,10 +34,9 @@ function nearestPoint(lines, place, perPixel, reach) {
 }
 
 // The nearer node of the nearest piece of a line.
-export function nearestNode(lines, place, perPixel, reach, shows) {
+function nearestNode(lines, place, perPixel, reach) {
   let best = null, least = reach * reach;
   for (const line of lines) {
-    if (!shows(line)) continue;
     for (let i = 0; i < line.x.length; ++i) {
       const next = !line.ends?.[i] && Number.isFinite(line.x[i + 1]) && Number.isFinite(line.y[i + 1]) ? i + 1 : i;
       const ax = (line.x[i] - place.x) / perPixel.x, ay = (line.y[i] - place.y) / perPixel.y;
@@ -49,21 +48,8 @@ export function nearestNode(lines, place, perPixel, reach, shows) {
       if (!(square <= least)) continue;
       least = square;
       const node = along > 0.5 ? next : i;
-      best = { kind: 'point', line, node, x: line.x[node], y: line.y[node] };
+      best = { line, node };
     }
   }
   return best && { ...best, distance: Math.sqrt(least) };
-}
-
-// `marks`: with their place { x, y } each.
-export function nearestMark(marks, place, perPixel, reach, shows) {
-  let best = null, least = reach;
-  for (const mark of marks) {
-    if (!shows(mark)) continue;
-    const distance = Math.hypot((mark.x - place.x) / perPixel.x, (mark.y - place.y) / perPixel.y);
-    if (distance > least) continue;
-    least = distance;
-    best = { kind: 'special', ...mark, distance };
-  }
-  return best;
 }

@@ -70,6 +70,15 @@ Json series_json(const ChartSeries& series, bool is_of_numbers) {
   return json;
 }
 
+// Bytes while they can count them, -1 as 255.
+Json packed_indices(const std::vector<int>& indices, std::size_t count) {
+  if (count >= 255) return packed(indices);
+  std::vector<std::uint8_t> bytes;
+  for (const int index : indices)
+    bytes.push_back(index < 0 ? 255 : static_cast<std::uint8_t>(index));
+  return packed(bytes);
+}
+
 Json thing_number_json(const ChartThings::Number& number) {
   const auto rough_end = number.values.begin() + static_cast<std::ptrdiff_t>(number.rough);
   Json json = axis_json(number.axis, {}, 0.0);
@@ -82,6 +91,7 @@ Json thing_number_json(const ChartThings::Number& number) {
   json["exact"] = packed(std::vector<double>(rough_end, number.values.end()));
   if (!number.is_single)
     json["first"] = packed(std::vector<std::int32_t>(number.first.begin(), number.first.end()));
+  if (!number.colours.empty()) json["colours"] = number.colours;
   if (number.level) json["level"] = *number.level;
   if (number.turn) json["turn"] = *number.turn;
   return json;
@@ -94,7 +104,22 @@ Json things_json(const ChartThings& things) {
   for (const ChartThings::Number& number : things.numbers)
     numbers.push_back(thing_number_json(number));
   for (const auto& [thing, rows] : things.more) more[std::to_string(thing)] = rows;
-  return {{"kinds", kinds}, {"kind", packed(things.kind)}, {"numbers", numbers}, {"more", more}};
+  return {{"kinds", kinds},
+          {"kind", packed_indices(things.kind, things.kinds.size())},
+          {"numbers", numbers},
+          {"more", more}};
+}
+
+Json cells_json(const ChartCells& cells) {
+  Json grounds = Json::array();
+  for (const auto& [title, colour] : cells.grounds)
+    grounds.push_back({{"title", title}, {"colour", colour}});
+  return {{"columns", packed(cells.middles[0])},
+          {"rows", packed(cells.middles[1])},
+          {"grounds", grounds},
+          {"ground", packed_indices(cells.ground, cells.grounds.size())},
+          {"name", cells.name},
+          {"shown", cells.shown}};
 }
 
 Json panel_json(const ChartPanel& panel) {
@@ -117,14 +142,16 @@ Json panel_json(const ChartPanel& panel) {
                      {"to", json_number(fill.to)},
                      {"title", plain_text(fill.title)},
                      {"colour", fill.colour}});
-  return {{"x", axis_json(panel.x, x, kAcross)},
-          {"y", axis_json(panel.y, y, kUpright)},
-          {"series", series},
-          {"fills", fills},
-          {"levels", panel.levels},
-          {"height", panel.height},
-          {"heading", plain_text(panel.heading)},
-          {"remark", plain_text(panel.remark)}};
+  Json json = {{"x", axis_json(panel.x, x, kAcross)},
+               {"y", axis_json(panel.y, y, kUpright)},
+               {"series", series},
+               {"fills", fills},
+               {"levels", panel.levels},
+               {"height", panel.height},
+               {"heading", plain_text(panel.heading)},
+               {"remark", plain_text(panel.remark)}};
+  if (panel.cells) json["cells"] = cells_json(*panel.cells);
+  return json;
 }
 
 }  // namespace

@@ -97,7 +97,10 @@ class DiagramOrbits {
   }
 
   void write(const std::string& file, Json view) const {
-    view["things"]["orbit"] = packed(of_);
+    std::vector<std::int32_t> kept(orbits_.size());
+    for (std::size_t thing = 0; thing < of_.size(); ++thing)
+      if (of_[thing] >= 0) kept[static_cast<std::size_t>(of_[thing])] = static_cast<int>(thing);
+    view["things"]["kept"] = packed(kept);
     write_page_file(file, view, orbits_);
   }
 

@@ -31,8 +31,6 @@ Json look_json(const Look& look) {
 Json page_looks() {
   const std::span<const char* const> curves = curve_colours();
   return {{"lines", list_of(line_looks())},
-          {"loci", list_of(locus_looks())},
-          {"codimension_two", look_json(codimension_two_look())},
           {"curves", std::vector<std::string>(curves.begin(), curves.end())},
           {"none", ground_look("none").colour},
           {"motion", kBlue},

@@ -4,8 +4,8 @@
 const kDigits = 15, kRoughDigits = 8;  // of what the program leaves in double, in single precision
 
 export class Things {
-  constructor({ kinds, kind, numbers, more, orbit }) {
-    Object.assign(this, { kinds, kind, more, orbit });
+  constructor({ kinds, kind, numbers, more, kept = [] }) {
+    Object.assign(this, { kinds, kind, more, kept });
     this.numbers = numbers.map(({ rough, exact, ...number }) => {
       const values = new Float64Array(rough.length + exact.length);
       values.set(rough);
@@ -14,7 +14,6 @@ export class Things {
     });
   }
 
-  get count() { return this.kind.length; }
   get axes() { return this.numbers.filter(({ axis }) => axis); }
   // What all things are over: a parameter.
   get parameter() { return this.numbers.find(({ given }) => given); }
@@ -33,13 +32,16 @@ export class Things {
   valueOf(number, thing, which = 0) { return number.values[this.indexOf(number, thing, which)] ?? NaN; }
   digitsOf(number, thing, which = 0) { return this.indexOf(number, thing, which) < number.rough ? kRoughDigits : kDigits; }
 
-  // The orbit of a thing or of the nearest like it, -1 where the page keeps none.
-  orbitOf(thing) {
-    const { of } = this.kindOf(thing);
-    for (let away = 0; away < this.count; ++away)
-      for (const at of [thing - away, thing + away])
-        if (this.orbit?.[at] >= 0 && this.kindOf(at).of === of) return this.orbit[at];
-    return -1;
+  // Which orbit of the page is of a thing or of the nearest like it; -1 where none is kept.
+  orbitOf(thing, distance = (a, b) => Math.abs(a - b)) {
+    const kind = this.kindOf(thing);
+    let best = -1, least = Infinity;
+    this.kept.forEach((at, orbit) => {
+      if (this.kindOf(at)?.of !== kind?.of) return;
+      const away = distance(at, thing);
+      if (away < least) [least, best] = [away, orbit];
+    });
+    return best;
   }
 }
 

@@ -19,7 +19,11 @@ struct LocusPart {
 };
 std::vector<LocusPart> locus_parts(const OrbitLocus& locus);
 
-// Into a panel over these parameters.
-void add_loci(const OrbitLoci& traced, ChartPanel& panel);
+// "CP-1: cusp, on locus 2 (LP)"
+std::string special_title(const OrbitLocus& locus, const OrbitLocusSpecial& special);
+
+// Into a panel over these parameters. `things`: points of codimension two are added to them; or
+// null.
+void add_loci(const OrbitLoci& traced, ChartPanel& panel, ChartThings* things = nullptr);
 
 }  // namespace graze

@@ -9,7 +9,7 @@ namespace graze {
 // Id, title, colour, dashes, width, mark, open and size.
 Json look_json(const Look& look);
 
-// What a page shows beside charts: lines of orbits by stability, loci, colours of curves, of a motion
+// What a page shows beside charts: lines of orbits by stability, colours of curves, of a motion
 // and of grounds.
 Json page_looks();
 
