@@ -286,14 +286,17 @@ TEST(Page, HoldsTheMotionOfARun) {
     ++impacts;
   }
   EXPECT_EQ(impacts, t.size());
-  EXPECT_EQ(place["stuck"].size(), 1u);
   std::vector<std::string> panels;
-  for (const json& panel : view["panels"]) panels.push_back(panel["name"]);
-  EXPECT_EQ(panels, (std::vector<std::string>{"displacement", "velocity", "contact force",
-                                              "energy, work"}));
-  const auto x = unpacked<float>(place["x"]["f32"]);
-  const float stop = place["stops"][0]["place"].get<float>();
-  EXPECT_FLOAT_EQ(*std::max_element(x.begin(), x.end()), stop);
+  for (const json& row : view["rows"]) panels.push_back(row[0]["y"]["name"]);
+  EXPECT_EQ(panels, (std::vector<std::string>{"displacement\ntowards the stop",
+                                              "velocity\ntowards the stop", "contact\nforce",
+                                              "energy,\nwork"}));
+  const json& displacement = view["rows"][0][0];
+  const auto is_stuck = [](const json& fill) { return fill["title"] == "stuck"; };
+  EXPECT_EQ(std::count_if(displacement["fills"].begin(), displacement["fills"].end(), is_stuck), 1);
+  const auto x = unpacked<double>(displacement["series"][0]["y"]["f64"]);
+  EXPECT_EQ(x.size(), unpacked<float>(place["v"]["f32"]).size());
+  EXPECT_EQ(*std::max_element(x.begin(), x.end()), place["stops"][0]["place"].get<double>());
 }
 
 // Without a forcing, without samples of its own, without stops.
@@ -307,8 +310,9 @@ TEST(Page, AnyRunIsAPage) {
     const Finished run = run_graze("simulate --quiet --plot " + file + " " + line);
     ASSERT_EQ(run.code, 0) << line << run.err;
     const json view = data_of(read_text(file), "view");
-    EXPECT_GE(view["panels"].size(), 2u) << line;
-    EXPECT_LT(view["time"]["low"].get<double>(), view["time"]["high"].get<double>()) << line;
+    EXPECT_GE(view["rows"].size(), 2u) << line;
+    const json& time = view["rows"][0][0]["x"];
+    EXPECT_LT(time["low"].get<double>(), time["high"].get<double>()) << line;
   }
 }
 

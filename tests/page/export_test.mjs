@@ -117,7 +117,7 @@ inPage('the CSV of a motion has its samples and impacts', motion, async (page) =
   assertAlike(rows.filter((row) => row[before] !== '').map((row) => Number(row[before])), impacts, 1e-6);
   const energies = rows.filter((row) => row['energy (µJ)'] !== '' && row['energy (µJ)'] !== undefined);
   assert.ok(energies.length > 100);
-  await page.click('#legend button[data-type="impacts"]');
+  await page.click('#legend button[data-type="impact"]');
   assert.ok(!Object.keys((await csvOf(page))[0]).some((name) => name.startsWith('velocity before')));
 });
 

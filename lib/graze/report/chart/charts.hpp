@@ -86,6 +86,9 @@ Chart spectrum_chart(const SimulationRecord& record);
 // it since the first sample. Below, the phase portraits of the first two places. Without stops all
 // of it for the first modal coordinate.
 Chart motion_chart(const SimulationRecord& record);
+// The same for a page, with every impact and no portrait; the first panels show the displacements
+// at the places, in their order, then comes the velocity at the first.
+Chart explored_chart(const SimulationRecord& record);
 
 // The Poincare section of the run: speed over phase of its impacts, or velocity over displacement
 // once a forcing period; a colour for each stop.

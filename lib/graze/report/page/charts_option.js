@@ -10,6 +10,8 @@ const kLeft = 92, kRight = 20, kTop = 14, kHertzTop = 52, kBottom = 50, kBetween
 const kHeading = 17;  // above its panel, px
 const kMany = 300;  // marks, beyond which they are small
 const kBorder = 1.6;  // of lines over cells, px on both sides
+const kMostMarks = 3000, kMostJumps = 200;  // in view; more lines of jumps would fill the panel
+export const kJumps = 'jumps';  // how a velocity goes over at impacts
 const kWhole = 0.6;  // of a mark's size where there are that many
 
 const sameAxis = (a, b) => ['name', 'unit', 'low', 'high', 'scale'].every((key) => a[key] === b[key]);
@@ -58,18 +60,18 @@ function grids(panels, size) {
 
 // One of `drawn`: { panel, i, x, y (AxisScale), ranges: { x, y }, lines } with `lines` as placed() has them.
 // `labels`: { things, on }. Dots lie under the chart (dot_layer.js).
-function curveSeries({ panel, i, y, ranges, lines }, theme, shows, labels) {
+function curveSeries({ panel, i, y, ranges, lines }, theme, shows, labels, seen) {
   const common = { xAxisIndex: i, yAxisIndex: i, silent: true, animation: false, clip: true };
   return lines.flatMap((line, k) => {
     const { series } = line;
     if (isCloud(series)) return [];
-    const points = shows(series.title) ? Array.from(line.x, (x, n) => [x, line.y[n]]) : [];
+    const points = shows(series.title) ? pointsOf(line, seen) : [];
     const parts = [];
     const over = 4 + 2 * k;  // those that come later lie on top
     if (series.line && panel.cells)  // seen on any colour
       parts.push({ ...common, id: `border ${i} ${k}`, type: 'line', data: points.length > 0 ? nearAxes(line, ranges.x, ranges.y) : [], showSymbol: false, z: 3, lineStyle: { color: theme.colours.paper, width: pen(series.look, theme).width + 2 * kBorder, type: 'solid' } });
     if (series.line)
-      parts.push({ ...common, id: `curve ${i} ${k}`, type: 'line', data: points.length > 0 ? nearAxes(line, ranges.x, ranges.y) : [], showSymbol: false, z: over, lineStyle: pen(series.look, theme) });
+      parts.push({ ...common, id: `curve ${i} ${k}`, type: 'line', data: points.length > 0 ? nearAxes(isThinned(line) ? { x: points.map(([x]) => x), y: points.map(([, up]) => up) } : line, ranges.x, ranges.y) : [], showSymbol: false, z: over, lineStyle: pen(series.look, theme) });
     if (series.error) parts.push(errorBars(series, points, { id: `error ${i} ${k}`, z: over }, y, ranges.y, theme, common));
     if (series.marks)
       parts.push({ ...common, id: `marks ${i} ${k}`, type: 'scatter', z: over + 1, ...stamp(series.look, theme, points.length > kMany ? kWhole : 1),
@@ -77,6 +79,21 @@ function curveSeries({ panel, i, y, ranges, lines }, theme, shows, labels) {
         label: markLabel(theme, labels.on && line.of !== undefined), labelLayout: { hideOverlap: true } });
     return parts;
   });
+}
+
+// Whether only some of a line are drawn where many are in view.
+function isThinned({ series, x }) {
+  return series.look.id === kJumps ? x.length > 3 * kMostJumps : series.marks && !series.line && !isCloud(series) && x.length > kMostMarks;
+}
+
+// Marks evenly, at most so many of what is in view; more jumps of a velocity than a panel holds are none.
+function pointsOf(line, { x: [low, high] }) {
+  const points = Array.from(line.x, (x, n) => [x, line.y[n]]);
+  if (!isThinned(line)) return points;
+  const inside = points.filter(([x]) => !(x < low || x > high));
+  if (line.series.look.id === kJumps) return inside.length > 3 * kMostJumps ? [] : inside;
+  const stride = Math.ceil(inside.length / kMostMarks);
+  return inside.filter((_, n) => n % stride === 0);
 }
 
 export function isCloud({ dots, look }) { return dots && look.mark === 'dot'; }
@@ -185,13 +202,14 @@ export function chartsOption({ drawn, theme, shows, labels, inView, size, marked
     yAxis: drawn.map(({ i, y, ranges }) => axis(colours, y.name, ...ranges.y, {
       gridIndex: i, nameGap: 52, splitNumber: 4, ...unlined(panels[i]), nameTextStyle: { color: colours.ink, fontSize: 12, lineHeight: 14 },
     })),
-    series: drawn.flatMap((one) => [...groundSeries(one, theme, shows), ...curveSeries(one, theme, shows, labels), nameSeries(one, theme, shows, labels, inView(one.i))])
+    series: drawn.flatMap((one) => [...groundSeries(one, theme, shows), ...curveSeries(one, theme, shows, labels, inView(one.i)), nameSeries(one, theme, shows, labels, inView(one.i))])
       .concat(markedSeries(marked, theme)),
     dataZoom,
   };
 }
 
-// What depends on what is in view, to be merged into an option: tics of logarithmic axes, names of lines.
+// What depends on what is in view, to be merged into an option: tics of logarithmic axes, names of lines,
+// what is thinned.
 export function chartsInView({ drawn, theme, shows, labels, inView }) {
   const panels = drawn.map(({ panel }) => panel);
   return {
@@ -200,6 +218,9 @@ export function chartsInView({ drawn, theme, shows, labels, inView }) {
       return sharesAxis(panels, panel) && tics.axisTick ? { axisTick: tics.axisTick } : tics;
     }),
     yAxis: drawn.map(({ y }, i) => y.tics(...inView(i).y)),
-    series: drawn.filter(() => labels.on).map((one) => nameSeries(one, theme, shows, labels, inView(one.i))),
+    series: drawn.flatMap((one) => [
+      ...(labels.on ? [nameSeries(one, theme, shows, labels, inView(one.i))] : []),
+      ...(one.lines.some(isThinned) ? curveSeries(one, theme, shows, labels, inView(one.i)) : []),
+    ]),
   };
 }

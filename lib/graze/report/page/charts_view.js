@@ -54,7 +54,7 @@ export class ChartsView {
     this.zoom = new ZoomTools(this.chart, this.root);
     this.labels = new LabelTool(this.things?.kinds.some(({ name }) => name) ?? false, () => this.draw());
     this.export = new ExportTools({
-      theme, chart: this.chart, legend: this.legend, under: this.dots.canvas, bar: () => this.cells?.bar ?? null, table: () => chartsTable(this),
+      theme, chart: this.chart, legend: this.legend, under: this.dots.canvas, bar: () => this.cells?.bar ?? null, table: () => this.table(),
     });
     if (this.things)
       this.panel = new OrbitPanel({ ...view, parameter: this.things.parameter }, theme, () => window.dispatchEvent(new Event('resize')), () => this.mark(null));
@@ -125,10 +125,9 @@ export class ChartsView {
     zr.on('mousemove', (event) => {
       const found = this.nearest(event.offsetX, event.offsetY);
       zr.setCursorStyle(found && (found.cell !== undefined || this.orbitOf(found) >= 0) ? 'pointer' : 'default');
-      if (found) this.show(found);
-      else this.hover.hide();
+      this.show(found);
     });
-    zr.on('globalout', () => this.hover.hide());
+    zr.on('globalout', () => this.show(null));
     zr.on('click', (event) => {
       const place = [event.offsetX, event.offsetY];
       const cell = this.cells?.cellAt(this.plane(0), place) ?? null;
@@ -166,6 +165,8 @@ export class ChartsView {
     this.cells?.paint(this.theme, (title) => this.shows(title));
     this.drawInView();
   }
+
+  table() { return chartsTable(this); }
 
   // The cell that is opened, or null.
   mark(cell) {
@@ -305,4 +306,4 @@ export class ChartsView {
 }
 
 // An axis' name in one line.
-export function plain(name) { return name.replaceAll('\n', ' '); }
+export function plain(name) { return name.trim().replaceAll('\n', ' '); }
