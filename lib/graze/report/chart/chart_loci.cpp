@@ -19,6 +19,23 @@ namespace {
 constexpr double kLociHeight = 7.0;  // cm
 constexpr double kHeavy = 1.3;       // of few loci, by a branch's line
 
+// Points of a locus from `first` to `last` whose orbits all are, or are not, some of the system.
+// Where the classification changes both parts have the point.
+struct LocusPart {
+  bool is_real = true;
+  std::size_t first = 0, last = 0;
+};
+
+std::vector<LocusPart> locus_parts(const OrbitLocus& locus) {
+  std::vector<LocusPart> parts;
+  for (std::size_t i = 0; i + 1 < locus.points.size(); ++i) {
+    const bool is_real = locus.points[i].admissible && locus.points[i + 1].admissible;
+    if (parts.empty() || parts.back().is_real != is_real) parts.push_back({is_real, i, i});
+    parts.back().last = i + 1;
+  }
+  return parts;
+}
+
 void add(const OrbitLocus& locus, const LocusPart& part, ChartSeries& series) {
   for (std::size_t i = part.first; i <= part.last; ++i)
     add_point(series, locus.points[i].value, locus.points[i].second);
@@ -64,16 +81,6 @@ Plane plane_of(const LociRecord& record) {
 std::string special_title(const OrbitLocus& locus, const OrbitLocusSpecial& special) {
   return fmt::format("{}: {}, on locus {} ({})", special.id, words_of(special.label), locus.id,
                      label_of(locus.kind));
-}
-
-std::vector<LocusPart> locus_parts(const OrbitLocus& locus) {
-  std::vector<LocusPart> parts;
-  for (std::size_t i = 0; i + 1 < locus.points.size(); ++i) {
-    const bool is_real = locus.points[i].admissible && locus.points[i + 1].admissible;
-    if (parts.empty() || parts.back().is_real != is_real) parts.push_back({is_real, i, i});
-    parts.back().last = i + 1;
-  }
-  return parts;
 }
 
 void add_loci(const OrbitLoci& traced, ChartPanel& panel, ChartThings* things) {

@@ -197,8 +197,10 @@ void name_areas(const StableRegions& regions, ChartPanel& panel) {
   }
 }
 
-}  // namespace
-
+struct RegionTints {
+  std::vector<ChartCells::Ground> grounds;  // all that there may be
+  std::vector<int> of;                      // of every place; -1: none
+};
 RegionTints region_tints(const StableRegions& regions) {
   RegionTints tints;
   for (int tint = 0; tint < kTints; ++tint)
@@ -207,6 +209,8 @@ RegionTints region_tints(const StableRegions& regions) {
     tints.of.push_back(tint_of(place.stable, regions.period, regions.impacts));
   return tints;
 }
+
+}  // namespace
 
 MapLegend region_legend(const StableRegions& regions) {
   const RegionTints tints = region_tints(regions);

@@ -78,7 +78,8 @@ export class ChartsView {
     const axis = ({ quantity, kind }) => ({ ...quantity, scale: kind });
     const [first, ...strips] = all;
     const levels = ({ quantity }) => (quantity.level === undefined ? [] : [quantity.level]);
-    const over = { ...first, series: this.layout()?.series ?? [], x: axis(x), y: axis(y), levels: levels(y), uprights: levels(x) };
+    const { series = [], remark = '' } = this.layout() ?? {};
+    const over = { ...first, series, remark, x: axis(x), y: axis(y), levels: levels(y), uprights: levels(x) };
     return [over, ...(x.quantity === this.things.parameter ? strips.map((strip) => ({ ...strip, x: over.x })) : [])];
   }
 
@@ -105,8 +106,10 @@ export class ChartsView {
     this.stage.style.height = `max(${chartsHeight(this.drawn.map(({ panel }) => panel))}px, min(68vh, 720px))`;
     this.legend.entries = chartEntries(this.drawn, this.view.legend, this.cells?.entries ?? []);
     this.legend.draw();
-    this.chosen = null;
-    if (this.chart.getOption() && this.axes) this.zoom.whole();
+    if (this.axes) {
+      this.chosen = null;
+      if (this.chart.getOption()) this.zoom.whole();
+    }
     this.draw();
   }
 

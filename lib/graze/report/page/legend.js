@@ -31,11 +31,6 @@ export class Legend {
   }
 }
 
-// Of a thing with a look of the program.
-export function lookEntry(look, type = look.id) {
-  return { type, title: look.title, swatch: (theme) => lookSwatch(look, theme) };
-}
-
 // Of a chart one for each title, as it looks where it comes first. `order`: titles, which those not among
 // them come before; `grounds`: of cells.
 export function chartEntries(drawn, order, grounds) {

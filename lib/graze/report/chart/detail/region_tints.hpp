@@ -1,18 +1,10 @@
 // What is stable in a plane of two parameters, as grounds of cells.
 #pragma once
 
-#include <vector>
-
 #include "graze/report/chart/detail/map_legend.hpp"
 #include "graze/study/plane/stable_regions.hpp"
 
 namespace graze {
-
-struct RegionTints {
-  std::vector<ChartCells::Ground> grounds;  // all that there may be
-  std::vector<int> of;                      // of every place; -1: none
-};
-RegionTints region_tints(const StableRegions& regions);
 
 // Kinds are what is stable; their colours are the tints.
 MapLegend region_legend(const StableRegions& regions);
