@@ -68,10 +68,14 @@ function curveSeries({ panel, i, y, ranges, lines }, theme, shows, labels, seen)
     const points = shows(series.title) ? pointsOf(line, seen) : [];
     const parts = [];
     const over = 4 + 2 * k;  // those that come later lie on top
-    if (series.line && panel.cells)  // seen on any colour
-      parts.push({ ...common, id: `border ${i} ${k}`, type: 'line', data: points.length > 0 ? nearAxes(line, ranges.x, ranges.y) : [], showSymbol: false, z: 3, lineStyle: { color: theme.colours.paper, width: pen(series.look, theme).width + 2 * kBorder, type: 'solid' } });
-    if (series.line)
-      parts.push({ ...common, id: `curve ${i} ${k}`, type: 'line', data: points.length > 0 ? nearAxes(isThinned(line) ? { x: points.map(([x]) => x), y: points.map(([, up]) => up) } : line, ranges.x, ranges.y) : [], showSymbol: false, z: over, lineStyle: pen(series.look, theme) });
+    if (series.line) {
+      const of = isThinned(line) ? { x: points.map(([x]) => x), y: points.map(([, up]) => up) } : line;
+      const curve = { ...common, type: 'line', data: points.length > 0 ? nearAxes(of, ranges.x, ranges.y) : [], showSymbol: false };
+      const style = pen(series.look, theme);
+      if (panel.cells)  // seen on any colour
+        parts.push({ ...curve, id: `border ${i} ${k}`, z: 3, lineStyle: { color: theme.colours.paper, width: style.width + 2 * kBorder, type: 'solid' } });
+      parts.push({ ...curve, id: `curve ${i} ${k}`, z: over, lineStyle: style });
+    }
     if (series.error) parts.push(errorBars(series, points, { id: `error ${i} ${k}`, z: over }, y, ranges.y, theme, common));
     if (series.marks)
       parts.push({ ...common, id: `marks ${i} ${k}`, type: 'scatter', z: over + 1, ...stamp(series.look, theme, points.length > kMany ? kWhole : 1),
@@ -82,8 +86,9 @@ function curveSeries({ panel, i, y, ranges, lines }, theme, shows, labels, seen)
 }
 
 // Whether only some of a line are drawn where many are in view.
-function isThinned({ series, x }) {
-  return series.look.id === kJumps ? x.length > 3 * kMostJumps : series.marks && !series.line && !isCloud(series) && x.length > kMostMarks;
+function isThinned({ series, x, of }) {
+  if (series.look.id === kJumps) return x.length > 3 * kMostJumps;
+  return series.marks && !series.line && !series.error && !of && !isCloud(series) && x.length > kMostMarks;
 }
 
 // Marks evenly, at most so many of what is in view; more jumps of a velocity than a panel holds are none.
@@ -159,7 +164,8 @@ function zooms(drawn) {
     else groups.push([i]);
   }
   // No deeper than two cells.
-  const common = (i, along) => ({ type: 'inside', filterMode: 'none', minSpan: drawn[i].panel.cells ? Math.min(100, 200 / drawn[i].panel.cells[along].length) : 1e-6 });
+  const least = ({ cells }, along) => (cells ? Math.min(100, 200 / cells[along].length) : 1e-6);
+  const common = (i, along) => ({ type: 'inside', filterMode: 'none', minSpan: least(drawn[i].panel, along) });
   return [
     ...groups.map((group, k) => ({ ...common(group[0], 'columns'), id: `across ${k}`, xAxisIndex: group })),
     ...drawn.map(({ i }) => ({ ...common(i, 'rows'), id: `upright ${i}`, yAxisIndex: [i], zoomOnMouseWheel: 'shift' })),
@@ -202,8 +208,10 @@ export function chartsOption({ drawn, theme, shows, labels, inView, size, marked
     yAxis: drawn.map(({ i, y, ranges }) => axis(colours, y.name, ...ranges.y, {
       gridIndex: i, nameGap: 52, splitNumber: 4, ...unlined(panels[i]), nameTextStyle: { color: colours.ink, fontSize: 12, lineHeight: 14 },
     })),
-    series: drawn.flatMap((one) => [...groundSeries(one, theme, shows), ...curveSeries(one, theme, shows, labels, inView(one.i)), nameSeries(one, theme, shows, labels, inView(one.i))])
-      .concat(markedSeries(marked, theme)),
+    series: drawn.flatMap((one) => {
+      const seen = inView(one.i);
+      return [...groundSeries(one, theme, shows), ...curveSeries(one, theme, shows, labels, seen), nameSeries(one, theme, shows, labels, seen)];
+    }).concat(markedSeries(marked, theme)),
     dataZoom,
   };
 }

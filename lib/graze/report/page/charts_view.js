@@ -213,7 +213,8 @@ export class ChartsView {
     for (const { i, lines } of this.drawn) {
       const plane = this.plane(i);
       if (px < plane.left - kReach || px > plane.right + kReach || py < plane.top - kReach || py > plane.bottom + kReach) continue;
-      const found = nearestInPanel(lines.filter(({ series }) => this.shows(series.title)), plane, [px, py], this.cells ? kReachOverCells : kReach);
+      const shown = lines.filter(({ series }) => this.shows(series.title));
+      const found = nearestInPanel(shown, plane, [px, py], this.cells ? kReachOverCells : kReach);
       if (found) return { panel: i, ...found };
       const cell = this.cells?.cellAt(plane, [px, py]) ?? null;
       return cell === null ? null : { cell };
@@ -290,7 +291,8 @@ export class ChartsView {
 
   // Along a series, or to the next one that is shown, in the order of the legend; dots come last.
   step(by, next) {
-    const order = ({ line: { series } }) => (isCloud(series) ? this.legend.entries.length : 0) + this.legend.entries.findIndex(({ title }) => title === series.title);
+    const places = this.legend.entries.map(({ title }) => title);
+    const order = ({ line: { series } }) => places.indexOf(series.title) + (isCloud(series) ? places.length : 0);
     const all = this.drawn.flatMap(({ lines, i }) => lines.map((line) => ({ panel: i, line })))
       .filter(({ line }) => this.shows(line.series.title));
     if (this.things) all.sort((a, b) => a.panel - b.panel || order(a) - order(b));
