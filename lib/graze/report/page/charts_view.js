@@ -104,6 +104,7 @@ export class ChartsView {
       return { panel, i, ...scales, lines, ranges: { x: range('x'), y: range('y') } };
     });
     this.stage.style.height = `max(${chartsHeight(this.drawn.map(({ panel }) => panel))}px, min(68vh, 720px))`;
+    this.fit();
     this.legend.entries = chartEntries(this.drawn, this.view.legend, this.cells?.entries ?? []);
     this.legend.draw();
     if (this.axes) {
@@ -113,16 +114,19 @@ export class ChartsView {
     this.draw();
   }
 
+  // Whether the chart had another size than its place.
+  fit() {
+    const { clientWidth, clientHeight } = this.root;
+    if (this.chart.getWidth() === clientWidth && this.chart.getHeight() === clientHeight) return false;
+    this.chart.resize();
+    return true;
+  }
+
   shows(title) { return title === '' || this.legend.shows(title); }
 
   listen() {
     this.theme.onChange(() => { this.legend.draw(); this.draw(); });
-    new ResizeObserver(() => {
-      const { clientWidth, clientHeight } = this.root;
-      if (this.chart.getWidth() === clientWidth && this.chart.getHeight() === clientHeight) return;
-      this.chart.resize();
-      this.draw();
-    }).observe(this.stage);
+    new ResizeObserver(() => { if (this.fit()) this.draw(); }).observe(this.stage);
     this.chart.on('datazoom', () => this.zoomed());
     const zr = this.chart.getZr();
     zr.on('mousemove', (event) => {
@@ -163,7 +167,7 @@ export class ChartsView {
     const option = chartsOption(this.picture);
     keepZoom(this.chart, option);
     this.chart.setOption(option, { notMerge: true });
-    this.chart.setOption(chartsInView(this.picture));
+    if (this.drawn.some(({ x, y }) => x.kind === 'log' || y.kind === 'log')) this.chart.setOption(chartsInView(this.picture));
     this.show(null);
     this.cells?.paint(this.theme, (title) => this.shows(title));
     this.drawInView();

@@ -6,12 +6,7 @@ const kDigits = 15, kRoughDigits = 8;  // of what the program leaves in double, 
 export class Things {
   constructor({ kinds, kind, numbers, more, kept = [] }) {
     Object.assign(this, { kinds, kind, more, kept });
-    this.numbers = numbers.map(({ rough, exact, ...number }) => {
-      const values = new Float64Array(rough.length + exact.length);
-      values.set(rough);
-      values.set(exact, rough.length);
-      return { ...number, values, rough: rough.length };
-    });
+    this.numbers = numbers.map(({ rough, exact, ...number }) => ({ ...number, values: joined(rough, exact), rough: rough.length }));
   }
 
   get axes() { return this.numbers.filter(({ axis }) => axis); }
@@ -43,6 +38,15 @@ export class Things {
     });
     return best;
   }
+}
+
+// One list of both; a million cells are not copied.
+function joined(rough, exact) {
+  if (exact.length === 0) return rough;
+  const values = new Float64Array(rough.length + exact.length);
+  values.set(rough);
+  values.set(exact, rough.length);
+  return values;
 }
 
 // The things of points that come in runs, and which of each thing's values they are.
