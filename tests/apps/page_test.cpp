@@ -77,15 +77,21 @@ TEST(Page, HoldsTheDotsOfTheDocument) {
   ASSERT_EQ(run.code, 0) << run.err;
   const json document = json::parse(run.out), view = data_of(read_text(scratch / "x.html"), "view");
   EXPECT_EQ(view["head"]["graze"], document["graze"]);
-  const json& sweep = view["sweep"];
-  const std::vector<double> values = unpacked<double>(sweep["values"]["f64"]);
-  const auto first = unpacked<std::int32_t>(sweep["first"]["i32"]);
-  const auto speeds = unpacked<float>(sweep["dots"]["speed"]["f32"]);
-  const auto phases = unpacked<float>(sweep["dots"]["phase"]["f32"]);
+  const auto number = [&](const std::string& key) {
+    for (const json& any : view["things"]["numbers"])
+      if (any["key"] == key) return any;
+    ADD_FAILURE() << key;
+    return json();
+  };
+  // The rows are the first things of the page, before the points of branches.
+  const std::vector<double> values = unpacked<double>(number("forcing.frequency")["exact"]["f64"]);
+  const auto first = unpacked<std::int32_t>(number("speed")["first"]["i32"]);
+  const auto speeds = unpacked<float>(number("speed")["rough"]["f32"]);
+  const auto phases = unpacked<float>(number("phase")["rough"]["f32"]);
   const json& rows = document["sweep"]["rows"];
-  ASSERT_EQ(values.size(), rows.size());
-  ASSERT_EQ(first.size(), rows.size() + 1);
-  ASSERT_EQ(static_cast<std::size_t>(first.back()), speeds.size());
+  ASSERT_GE(values.size(), rows.size());
+  ASSERT_EQ(first.size(), values.size() + 1);
+  ASSERT_EQ(static_cast<std::size_t>(first[rows.size()]), speeds.size());
   ASSERT_EQ(speeds.size(), phases.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     EXPECT_EQ(values[i], rows[i]["value"].get<double>());
@@ -167,8 +173,8 @@ TEST(Page, OfASectionHoldsItsPoints) {
   if (!built_with_page()) GTEST_SKIP() << "built without npm";
   const ScratchFolder scratch;
   const std::string file = (scratch / "x.html").string();
-  const Finished run = run_graze("simulate --section impact --periods 50 --quiet --plot " + file +
-                                 " " + kOneMode);
+  const Finished run =
+      run_graze("simulate --section impact --periods 50 --quiet --plot " + file + " " + kOneMode);
   ASSERT_EQ(run.code, 0) << run.err;
   const json view = data_of(read_text(file), "view");
   EXPECT_EQ(view["title"], "Poincaré section");
@@ -190,25 +196,25 @@ TEST(Page, HoldsTheCellsOfTheDocument) {
   const Finished run = run_graze("map --json --quiet --show speed --plot " + file + kBasins);
   ASSERT_EQ(run.code, 0) << run.err;
   const json document = json::parse(run.out), view = data_of(read_text(file), "view");
-  EXPECT_EQ(view["kind"], "map");
-  EXPECT_EQ(view["shown"], "speed");
-  EXPECT_EQ(view["x"]["unit"], "kg^½ m");
-  const std::vector<double> x = unpacked<double>(view["x"]["values"]["f64"]);
-  const std::vector<double> y = unpacked<double>(view["y"]["values"]["f64"]);
+  const json &panel = view["rows"][0][0], &things = view["things"];
+  EXPECT_EQ(panel["cells"]["shown"], "speed");
+  EXPECT_EQ(panel["x"]["unit"], "kg^½ m");
+  const std::vector<double> x = unpacked<double>(panel["cells"]["columns"]["f64"]);
+  const std::vector<double> y = unpacked<double>(panel["cells"]["rows"]["f64"]);
   ASSERT_EQ(x.size(), 15u);
   ASSERT_EQ(y.size(), 11u);
   EXPECT_EQ(x.front(), -2.0);
   EXPECT_EQ(y.back(), 2.0);
-  const auto kind = unpacked<std::uint8_t>(view["cells"]["kind"]["u8"]);
-  const json &kinds = view["cells"]["kinds"], &cells = document["cells"];
+  const auto kind = unpacked<std::uint8_t>(things["kind"]["u8"]);
+  const json &kinds = things["kinds"], &cells = document["cells"];
   ASSERT_EQ(kind.size(), 165u);
   std::vector<std::string> keys;
-  for (const json& number : view["numbers"]) keys.push_back(number["key"]);
+  for (const json& number : things["numbers"]) keys.push_back(number["key"]);
   EXPECT_EQ(keys, (std::vector<std::string>{"impacts", "speed", "stuck"}));
-  const auto impacts = unpacked<float>(view["numbers"][0]["values"]["f32"]);
-  const auto speeds = unpacked<float>(view["numbers"][1]["values"]["f32"]);
+  const auto impacts = unpacked<float>(things["numbers"][0]["rough"]["f32"]);
+  const auto speeds = unpacked<float>(things["numbers"][1]["rough"]["f32"]);
   for (std::size_t i = 0; i < kind.size(); ++i) {
-    const std::string name = kinds[kind[i]]["name"];
+    const std::string name = kinds[kind[i]]["title"];
     if (cells["status"][i] == "no start") {
       EXPECT_EQ(name, "no start");
       EXPECT_TRUE(std::isnan(speeds[i]));
@@ -216,7 +222,7 @@ TEST(Page, HoldsTheCellsOfTheDocument) {
     }
     const std::size_t attractor = cells["attractor"][i].get<std::size_t>() - 1;
     EXPECT_EQ(name, document["attractors"][attractor]["attractor"]);
-    EXPECT_EQ(kinds[kind[i]]["wild"], false);
+    EXPECT_EQ(view["cells"]["one"][kind[i]], true);
     // What is clear of the stops has no speed to show.
     if (name.starts_with("clear"))
       EXPECT_TRUE(std::isnan(speeds[i]));
@@ -236,7 +242,7 @@ TEST(Page, AMapTellsHowToFollowACell) {
   const std::string file = (scratch / "x.html").string();
   ASSERT_EQ(
       run_graze("map --quiet --periods 300 --closure-speed 1e-6 --plot " + file + kBasins).code, 0);
-  const json command = data_of(read_text(file), "view")["command"];
+  const json command = data_of(read_text(file), "view")["cells"]["command"];
   EXPECT_EQ(command["before"], "graze simulate " + scene("04_impact_oscillator.toml") +
                                    " --set forcing.frequency=1.6 --set stop.gap=0.5 --set "
                                    "forcing.amplitude=0.5 --set 'initial.q=[0.0]'");
@@ -280,14 +286,17 @@ TEST(Page, HoldsTheMotionOfARun) {
     ++impacts;
   }
   EXPECT_EQ(impacts, t.size());
-  EXPECT_EQ(place["stuck"].size(), 1u);
   std::vector<std::string> panels;
-  for (const json& panel : view["panels"]) panels.push_back(panel["name"]);
-  EXPECT_EQ(panels, (std::vector<std::string>{"displacement", "velocity", "contact force",
-                                              "energy, work"}));
-  const auto x = unpacked<float>(place["x"]["f32"]);
-  const float stop = place["stops"][0]["place"].get<float>();
-  EXPECT_FLOAT_EQ(*std::max_element(x.begin(), x.end()), stop);
+  for (const json& row : view["rows"]) panels.push_back(row[0]["y"]["name"]);
+  EXPECT_EQ(panels, (std::vector<std::string>{"displacement\ntowards the stop",
+                                              "velocity\ntowards the stop", "contact\nforce",
+                                              "energy,\nwork"}));
+  const json& displacement = view["rows"][0][0];
+  const auto is_stuck = [](const json& fill) { return fill["title"] == "stuck"; };
+  EXPECT_EQ(std::count_if(displacement["fills"].begin(), displacement["fills"].end(), is_stuck), 1);
+  const auto x = unpacked<double>(displacement["series"][0]["y"]["f64"]);
+  EXPECT_EQ(x.size(), unpacked<float>(place["v"]["f32"]).size());
+  EXPECT_EQ(*std::max_element(x.begin(), x.end()), place["stops"][0]["place"].get<double>());
 }
 
 // Without a forcing, without samples of its own, without stops.
@@ -301,8 +310,9 @@ TEST(Page, AnyRunIsAPage) {
     const Finished run = run_graze("simulate --quiet --plot " + file + " " + line);
     ASSERT_EQ(run.code, 0) << line << run.err;
     const json view = data_of(read_text(file), "view");
-    EXPECT_GE(view["panels"].size(), 2u) << line;
-    EXPECT_LT(view["time"]["low"].get<double>(), view["time"]["high"].get<double>()) << line;
+    EXPECT_GE(view["rows"].size(), 2u) << line;
+    const json& time = view["rows"][0][0]["x"];
+    EXPECT_LT(time["low"].get<double>(), time["high"].get<double>()) << line;
   }
 }
 
@@ -344,21 +354,22 @@ TEST(Page, HoldsTheLociOfTheDocument) {
   const Finished loci = run_graze(line);
   ASSERT_EQ(loci.code, 0) << loci.err;
   const json view = data_of(read_text(file), "view"), document = json::parse(loci.out);
-  EXPECT_TRUE(view["cells"].is_null());
+  EXPECT_FALSE(view["rows"][0][0].contains("cells"));
   std::size_t points = 0, drawn = 0;
   for (const json& locus : document["loci"]) points += locus["points"].size();
-  for (const json& part : view["loci"]["lines"])
-    for (const double x : unpacked<double>(part["x"]["f64"])) drawn += std::isfinite(x);
+  for (const json& part : view["rows"][0][0]["series"])
+    if (part["line"].get<bool>())
+      for (const double x : unpacked<double>(part["x"]["f64"])) drawn += std::isfinite(x);
   EXPECT_GT(points, 20u);
   EXPECT_GE(drawn, points);  // where they cease to be orbits, both parts have the point
   const Finished regions = run_graze(line + " --regions 4");
   ASSERT_EQ(regions.code, 0) << regions.err;
   const json plane = data_of(read_text(file), "view"), places = json::parse(regions.out)["regions"];
-  const auto kind = unpacked<std::uint8_t>(plane["cells"]["kind"]["u8"]);
-  ASSERT_EQ(kind.size(), 16u);
-  EXPECT_EQ(unpacked<double>(plane["x"]["values"]["f64"]),
+  const json& cells = plane["rows"][0][0]["cells"];
+  ASSERT_EQ(unpacked<std::uint8_t>(cells["ground"]["u8"]).size(), 16u);
+  EXPECT_EQ(unpacked<double>(cells["columns"]["f64"]),
             (std::vector<double>{26.25, 38.75, 51.25, 63.75}));
-  EXPECT_EQ(plane["command"]["after"], " --period 1");
+  EXPECT_EQ(plane["cells"]["command"]["after"], " --period 1");
 }
 
 }  // namespace

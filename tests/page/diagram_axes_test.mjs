@@ -24,9 +24,10 @@ async function placeOf(page, { x, y }, { hertz = false, strip = false, scale = {
   const box = await (await page.$('#chart')).boundingBox();
   const seen = await inView(page);
   const part = (value, [low, high], of) => (of(value) - of(low)) / (of(high) - of(low));
-  const top = hertz ? 52 : 16, bottom = strip ? 52 + 146 : 52;
+  // A strip of 2.6 cm of 58 px, 22 px below.
+  const top = hertz ? 52 : 14, bottom = strip ? 50 + 22 + 2.6 * 58 : 50;
   return {
-    x: box.x + 76 + part(x, seen.x, scale.x) * (box.width - 98),
+    x: box.x + 92 + part(x, seen.x, scale.x) * (box.width - 112),
     y: box.y + box.height - bottom - part(y, seen.y, scale.y) * (box.height - top - bottom),
   };
 }
@@ -103,7 +104,7 @@ inPage('amplitudes of motions that meet no stop are there too', response, async 
   await page.keyboard.press('ArrowRight');
   assert.match(await text(page, '#hover'), /amplitude at stop 1[\d.]+ mm/);
   const legend = await page.$$eval('#legend button', (list) => list.map((button) => button.dataset.type));
-  assert.ok(legend.includes('stable') && legend.includes('periodic'), `${legend}`);
+  assert.ok(legend.includes('stable') && legend.includes('sweep: periodic'), `${legend}`);
 });
 
 // Ink above a mark, where its name stands.
@@ -141,7 +142,7 @@ const inkOf = (page) => page.$eval('#chart canvas', (canvas) => {
 inPage('branches carry their names while they are shown', response, async (page) => {
   const toggle = async (selector) => { await page.click(selector); await settled(page); };
   const buttons = await page.$$eval('#legend button', (list) => list.map(({ dataset }) => dataset.type));
-  for (const type of buttons.filter((type) => ['GR', 'PD', 'LP', 'NS'].includes(type))) await toggle(`#legend button[data-type="${type}"]`);
+  for (const type of buttons.filter((type) => / \((GR|PD|LP|NS)\)$/.test(type))) await toggle(`#legend button[data-type="${type}"]`);
   const named = await inkOf(page);
   await toggle('#labels');
   const bare = await inkOf(page);
@@ -152,17 +153,19 @@ inPage('branches carry their names while they are shown', response, async (page)
 });
 
 test('the name of a branch stands in the middle of its longest part in view', async () => {
-  const { branchNames } = await import(scene('../../lib/graze/report/page/branch_names.js'));
+  const { lineNames } = await import(scene('../../lib/graze/report/page/line_names.js'));
   const places = Array.from({ length: 101 }, (_, i) => i);
-  const view = { branches: [{ name: '(1,1)' }, { name: '(2,2)' }] };
+  // Things 0 and 1 are points of two branches, 2 a special point of the first.
+  const kinds = [{ of: 'branch 1', name: '(1,1)' }, { of: 'branch 2', name: '(2,2)' }, { of: 'PD1', name: 'PD1' }];
+  const things = { kindOf: (thing) => kinds[thing] };
   const lines = [
-    { branch: 0, x: places, y: places.map(() => 1) },
-    { branch: 0, x: places, y: places.map((x) => x / 10) },
-    { branch: 1, x: places, y: places.map(() => 50) },
+    { of: places.map(() => 0), x: places, y: places.map(() => 1) },
+    { of: places.map((x) => (x % 10 === 0 ? 2 : 0)), x: places, y: places.map((x) => x / 10) },
+    { of: places.map(() => 1), x: places, y: places.map(() => 50) },
   ];
-  assert.deepEqual(branchNames(view, lines, { x: [40, 80], y: [0, 5] }), [{ value: [60, 1], name: '(1,1)' }]);
-  assert.deepEqual(branchNames(view, lines, { x: [40, 80], y: [4, 60] }).map(({ value }) => value), [[60, 6], [60, 50]]);
-  assert.deepEqual(branchNames(view, lines, { x: [200, 300], y: [0, 5] }), []);
+  assert.deepEqual(lineNames(lines, things, { x: [40, 80], y: [0, 5] }), [{ value: [60, 1], name: '(1,1)' }]);
+  assert.deepEqual(lineNames(lines, things, { x: [40, 80], y: [4, 60] }).map(({ value }) => value), [[60, 6], [60, 50]]);
+  assert.deepEqual(lineNames(lines, things, { x: [200, 300], y: [0, 5] }), []);
 });
 
 inPage('the orbit at a special point is titled by its id', response, async (page) => {

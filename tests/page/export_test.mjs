@@ -52,7 +52,7 @@ inPage('what is hidden or out of view is not saved, what is shown otherwise is',
   const before = await csvOf(page);
   assert.ok(series(before).has('stable') && series(before).has('sweep: not periodic'));
   await page.click('#legend button[data-type="stable"]');
-  await page.click('#legend button[data-type="wild"]');
+  await page.click('#legend button[data-type="sweep: not periodic"]');
   const hidden = await csvOf(page);
   assert.ok(!series(hidden).has('stable') && !series(hidden).has('sweep: not periodic') && series(hidden).has('unstable'));
   await page.click('#zoom-in');
@@ -82,7 +82,7 @@ inPage('the PNG has title, dots, lines, marks and legend', diagram, async (page)
   const purple = [image.count('#aa3377', 56, legend), image.count('#aa3377', legend)];
   assert.ok(purple[0] > 20 && purple[1] > 20, `${purple}`);
   assert.equal(image.at(3, 3), '#ffffff');
-  await page.click('#legend button[data-type="PD"]');
+  await page.click('#legend button[data-type="period doubling (PD)"]');
   await settled(page);
   const without = await imageOf(page, (await saved(page, '#save-png')).bytes);
   assert.equal(without.count('#aa3377'), 0);
@@ -117,7 +117,7 @@ inPage('the CSV of a motion has its samples and impacts', motion, async (page) =
   assertAlike(rows.filter((row) => row[before] !== '').map((row) => Number(row[before])), impacts, 1e-6);
   const energies = rows.filter((row) => row['energy (µJ)'] !== '' && row['energy (µJ)'] !== undefined);
   assert.ok(energies.length > 100);
-  await page.click('#legend button[data-type="impacts"]');
+  await page.click('#legend button[data-type="impact"]');
   assert.ok(!Object.keys((await csvOf(page))[0]).some((name) => name.startsWith('velocity before')));
 });
 

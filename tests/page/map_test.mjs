@@ -18,7 +18,7 @@ const plane = pageOf('plane.html', 'map', scene('05_wagg_one_mode.toml'), '--par
 // Where the middle of a cell is on the screen, by its column and row of so many, as seen.
 async function placeOfCell(page, [column, columns], [row, rows]) {
   const box = await (await page.$('#chart')).boundingBox();
-  const left = box.x + 76, right = box.x + box.width - 22, top = box.y + 16, bottom = box.y + box.height - 52;
+  const left = box.x + 92, right = box.x + box.width - 20, top = box.y + 14, bottom = box.y + box.height - 50;
   return { x: left + ((column + 0.5) / columns) * (right - left), y: bottom - ((row + 0.5) / rows) * (bottom - top) };
 }
 
@@ -43,7 +43,7 @@ inPage('a map is drawn in the colours of the picture', basins, async (page) => {
   assert.equal(await colourAt(page, await placeOfCell(page, [0, 49], [40, 41])), '#77aadd');  // (1,1)
   assert.equal(await colourAt(page, await placeOfCell(page, [39, 49], [20, 41])), '#c4e4f2');  // rests at the start
   assert.equal(await colourAt(page, await placeOfCell(page, [48, 49], [20, 41])), '#e8e8e8');
-  assert.match(await range(page), /^Map of the attractor over q₁ at the start from −4\.1 kg\^½ m to 0\.8 kg\^½ m and dq₁\/dt/);
+  assert.match(await range(page), /^Map of the attractor: dq₁\/dt at the start from .* over q₁ at the start from −4\.1 kg\^½ m to 0\.8 kg\^½ m/);
 });
 
 inPage('the pointer is told the cell under it', basins, async (page) => {
@@ -163,8 +163,8 @@ inPage('loci lie over the cells, and the legend hides them', plane, async (page)
   const box = await (await page.$('#chart')).boundingBox();
   // As much of a cell's half beyond the first and the last value; the upper axis takes nothing here.
   const place = ([gap, frequency]) => ({
-    x: box.x + 76 + ((gap - 0.45e-3) / 1.6e-3) * (box.width - 98),
-    y: box.y + box.height - 52 - ((frequency - 18.5) / 93) * (box.height - 68),
+    x: box.x + 92 + ((gap - 0.45e-3) / 1.6e-3) * (box.width - 112),
+    y: box.y + box.height - 50 - ((frequency - 18.5) / 93) * (box.height - 64),
   });
   const points = tracedPoints('PD').filter(([gap, frequency]) => gap > 0.5e-3 && gap < 2e-3 && frequency > 20 && frequency < 110);
   assert.ok(points.length > 20, `${points.length}`);
@@ -214,11 +214,12 @@ test('a million cells are drawn, and answer the pointer', async () => {
   const file = join(folder, 'million cells.html');
   writeFileSync(file, readFileSync(basins(), 'utf8').replace(/(id="view">)(.*?)(<\/script>)/s, (_, open, json, close) => {
     const view = JSON.parse(json);
-    for (const [axis, low, high] of [[view.x, -4, 0.8], [view.y, -4, 4]])
-      axis.values = packed('f64', Float64Array.from({ length: side }, (__, i) => low + ((high - low) * i) / (side - 1)));
-    view.cells.kind = packed('u8', Uint8Array.from({ length: cells }, () => Math.floor(3 * Math.random())));
+    const panel = view.rows[0][0];
+    for (const [name, low, high] of [['columns', -4, 0.8], ['rows', -4, 4]])
+      panel.cells[name] = packed('f64', Float64Array.from({ length: side }, (__, i) => low + ((high - low) * i) / (side - 1)));
+    panel.cells.ground = view.things.kind = packed('u8', Uint8Array.from({ length: cells }, () => Math.floor(3 * Math.random())));
     view.cells.messages = null;
-    for (const number of view.numbers) number.values = packed('f32', Float32Array.from({ length: cells }, Math.random));
+    for (const number of view.things.numbers) number.rough = packed('f32', Float32Array.from({ length: cells }, Math.random));
     return open + JSON.stringify(view).replaceAll('<', '\\u003c') + close;
   }));
   const { page, wrong, close } = await openPage(browser, file);

@@ -27,7 +27,7 @@ inPage('a diagram is drawn, with dots, lines and marks', diagram, async (page) =
   assert.ok(await pixelsOf(page, '#dots') > 3000);
   assert.ok(await pixelsOf(page, '#chart canvas') > 5000);
   const types = await page.$$eval('#legend button', (list) => list.map((button) => button.dataset.type));
-  for (const type of ['periodic', 'wild', 'stable', 'unstable', 'PD', 'GR']) assert.ok(types.includes(type), type);
+  for (const type of ['sweep: periodic', 'sweep: not periodic', 'stable', 'unstable', 'period doubling (PD)', 'grazing (GR)']) assert.ok(types.includes(type), type);
 });
 
 inPage('the pointer is told the values under it', diagram, async (page) => {
@@ -101,10 +101,10 @@ inPage('a motion that never repeats opens as one, from where the sweep was', dia
 
 inPage('the legend hides by type', diagram, async (page) => {
   const all = await pixelsOf(page, '#dots');
-  await page.click('#legend button[data-type="wild"]');
+  await page.click('#legend button[data-type="sweep: not periodic"]');
   const periodic = await pixelsOf(page, '#dots');
   assert.ok(periodic > 0 && periodic < all);
-  await page.click('#legend button[data-type="periodic"]');
+  await page.click('#legend button[data-type="sweep: periodic"]');
   assert.equal(await pixelsOf(page, '#dots'), 0);
   const before = await pixelsOf(page, '#chart canvas');
   await page.click('#legend button[data-type="stable"]');
@@ -204,15 +204,21 @@ function changed(name, change) {
   return file;
 }
 
+// All of one kind, which never repeats.
 function millionDots(view) {
   const rows = 2000, each = 500;
   const fill = (to) => packed('f32', Float32Array.from({ length: rows * each }, () => to * Math.random() ** 2));
-  Object.assign(view.sweep, {
-    values: packed('f64', Float64Array.from({ length: rows }, (_, i) => 15 + (105 * i) / (rows - 1))),
-    label: packed('i32', new Int32Array(rows)), wild: packed('u8', new Uint8Array(rows).fill(1)),
-    first: packed('i32', Int32Array.from({ length: rows + 1 }, (_, i) => i * each)),
-    orbit: packed('i32', new Int32Array(rows)), dots: { speed: fill(view.observables[0].high), phase: fill(6) },
-  });
+  const first = packed('i32', Int32Array.from({ length: rows + 1 }, (_, i) => i * each));
+  const empty = packed('f64', new Float64Array(0));
+  const [speed, phase, ...others] = view.things.numbers;
+  Object.assign(speed, { rough: fill(speed.high), exact: empty, first });
+  Object.assign(phase, { rough: fill(6), exact: empty, first });
+  for (const number of others) number.exact = packed('f64', Float64Array.from({ length: rows }, (_, i) => 15 + (105 * i) / (rows - 1)));
+  Object.assign(view.things, { kind: packed('i32', new Int32Array(rows)), orbit: packed('i32', new Int32Array(rows)), more: {} });
+  const [dots] = view.rows[0][0].series.filter(({ title }) => title === 'sweep: not periodic');
+  dots.runs = { thing: packed('i32', Int32Array.from({ length: rows }, (_, i) => i)), count: packed('i32', new Int32Array(rows).fill(each)) };
+  view.rows[0][0].series = [dots];
+  view.layouts = [];
 }
 
 // How long that takes is told, not asserted: it is the machine's.
@@ -231,7 +237,7 @@ test('a million dots are drawn, and answer the pointer', async () => {
 
 inPage('exponents stand below, and are zoomed along', exponents, async (page) => {
   const height = (await (await page.$('#chart')).boundingBox()).height;
-  const strip = () => page.$eval('#chart canvas', (canvas, part) => {
+  const strip = () => page.$eval('#dots', (canvas, part) => {
     const top = Math.round(part * canvas.height);
     const { data } = canvas.getContext('2d').getImageData(0, top, canvas.width, canvas.height - top - 60);
     let indigo = 0;  // #332288

@@ -27,8 +27,8 @@ const csvOf = async (page) => rowsOf((await saved(page, '#save-csv')).bytes);
 async function placeOf(page, [x, y], [low, high], [bottom, top], upper) {
   const box = await (await page.$('#chart')).boundingBox();
   return {
-    x: box.x + 76 + ((x - low) / (high - low)) * (box.width - 98),
-    y: box.y + box.height - 52 - ((y - bottom) / (top - bottom)) * (box.height - 52 - upper),
+    x: box.x + 92 + ((x - low) / (high - low)) * (box.width - 112),
+    y: box.y + box.height - 50 - ((y - bottom) / (top - bottom)) * (box.height - 50 - upper),
   };
 }
 

@@ -22,17 +22,17 @@ async function recordedAt(rate) {
 
 async function places(page) {
   const box = await (await page.$('#chart')).boundingBox();
-  const left = box.x + 100, right = box.x + box.width - 22;
+  const left = box.x + 92, right = box.x + box.width - 20;
   return { at: (part) => left + part * (right - left), top: box.y + 60, left, right };
 }
 
 inPage('a motion is drawn, with impacts, stuck phase, force and energy', sticks, async (page) => {
   assert.equal(await text(page, 'h1'), 'Motion');
-  assert.match(await range(page), /^Motion from 0 s to 1 s: displacement, velocity, contact force, energy, work\./);
+  assert.match(await range(page), /^displacement towards the stop from .* over time from 0 s to 1 s; velocity towards the stop from .*; contact force from .*; energy, work from /);
   assert.ok(await pixelsOf(page, '#chart canvas') > 5000);
   assert.ok(await pixelsOf(page, '#orbit-portrait canvas') > 500);
   const titles = await page.$$eval('#legend button', (list) => list.map((button) => button.textContent));
-  assert.deepEqual(titles, ['impact', 'stuck', 'energy', 'work of forcing', 'work of damping', 'work of impacts']);
+  assert.deepEqual(titles, ['impact', 'stuck', 'behind the stop', 'energy', 'work of forcing', 'work of damping', 'work of impacts']);
   assert.match(await text(page, '#orbit-facts'), /^0 s to 1 s · 82 impacts$/);
 });
 
@@ -84,7 +84,7 @@ inPage('wheel, rectangle, buttons and keys zoom in time', sticks, async (page) =
     await page.mouse.wheel(0, -500);
     await settled(page);
   }
-  const [from, to] = (await range(page)).match(/from ([\d.]+) s to ([\d.]+) s/).slice(1).map(Number);
+  const [from, to] = (await range(page)).match(/over time from ([\d.]+) s to ([\d.]+) s/).slice(1).map(Number);
   assert.ok(from < 0.5412895 && to > 0.5412895 && to - from < 0.7, `${from} to ${to}`);
   const listed = await page.$$eval('#orbit-impacts tbody tr', (rows) => rows.map((row) => Number(row.cells[0].textContent)));
   assert.ok(listed.length > 0 && listed.every((time) => time >= from - 1e-4 && time <= to + 1e-4), `${listed}`);
@@ -130,7 +130,7 @@ inPage('a click keeps a moment, keys go from impact to impact', sticks, async (p
 
 inPage('the legend hides impacts and curves', sticks, async (page) => {
   let last = await pixelsOf(page, '#chart canvas');
-  for (const type of ['impacts', 'stuck', '3 0']) {
+  for (const type of ['impact', 'stuck', 'energy']) {
     await page.click(`#legend button[data-type="${type}"]`);
     await settled(page);
     const now = await pixelsOf(page, '#chart canvas');
@@ -146,7 +146,7 @@ inPage('the command makes the page again', sticks, async (page) => {
 });
 
 inPage('places with stops have a panel and a portrait each', supports, async (page) => {
-  assert.match(await range(page), /displacement, displacement, velocity, contact force/);
+  assert.match(await range(page), /^displacement towards stop 1 .*; displacement towards stop 2 .*; velocity towards stop 1 .*; contact force /);
   assert.ok(await isShown(page, '#orbit-place'));
   const first = await text(page, '#orbit-facts');
   await page.selectOption('#orbit-place select', '1');
@@ -160,7 +160,7 @@ inPage('a stop far off the motion does not press it flat', far, async (page) => 
 });
 
 inPage('a ball needs no forcing', ball, async (page) => {
-  assert.match(await range(page), /^Motion from 0 s to 1 s/);
+  assert.match(await range(page), /over time from 0 s to 1 s/);
   await placeOf(page, '#chart canvas', { x: 0.3, y: 0.2 }, [60, 140]);
 });
 

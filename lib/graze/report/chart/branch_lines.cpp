@@ -9,18 +9,18 @@
 namespace graze {
 namespace {
 
-LineKind kind_of(const Orbit& orbit) {
-  if (!orbit.admissible) return kVirtualLine;
-  if (!orbit.stable) return kOpenLine;
-  return *orbit.stable ? kStableLine : kUnstableLine;
-}
-
 // A point of a branch; special points belong to both sides and have no kind of their own.
 struct Node {
   double x = 0.0;
   std::vector<double> y;
   std::optional<LineKind> kind;
-  int point = 0;  // as of BranchLine::Node
+  int point = 0;         // as of BranchLine::Node
+  std::size_t turn = 0;  // that y is turned by
+
+  // The j-th value as a branch's line has it.
+  BranchLine::Node at(std::size_t j) const {
+    return {x, y[j], point, static_cast<int>((j + turn) % y.size())};
+  }
 };
 
 // The impacts of an orbit are listed by their phases, and the first may become the last from one
@@ -29,12 +29,14 @@ void align(const Node& before, Node& node) {
   if (node.y.size() != before.y.size() || node.y.size() < 2) return;
   std::vector<double> best = node.y;
   double least = std::numeric_limits<double>::infinity();
+  const std::size_t from = node.turn;
   for (std::size_t turn = 0; turn < node.y.size(); ++turn) {
     double distance = 0.0;
     for (std::size_t j = 0; j < node.y.size(); ++j) distance += std::abs(node.y[j] - before.y[j]);
     if (distance < least) {
       least = distance;
       best = node.y;
+      node.turn = (from + turn) % node.y.size();
     }
     std::rotate(node.y.begin(), node.y.begin() + 1, node.y.end());
   }
@@ -69,7 +71,7 @@ void LineMaker::add(std::size_t index, const OrbitBranch& branch, const DiagramC
   std::vector<Node> nodes;
   for (std::size_t k = 0; k < branch.points.size(); ++k) {
     const OrbitBranchPoint& point = branch.points[k];
-    nodes.push_back({point.value, curve.points[k], kind_of(point.orbit), static_cast<int>(k)});
+    nodes.push_back({point.value, curve.points[k], line_kind(point.orbit), static_cast<int>(k)});
     if (k > 0) align(nodes[k - 1], nodes[k]);
   }
   if (nodes.empty()) return;
@@ -93,9 +95,15 @@ void LineMaker::add_special(const SpecialPoint& special, int index,
                             const std::vector<double>& heights, std::vector<Node>& nodes) {
   Node place{special.at.value, heights, {}, -1 - index};
   insert(nodes, place);
+  BranchMark mark{branch_, static_cast<std::size_t>(index), place.x, {}};
   // One mark is enough for all that a chatter shows.
-  if (special.at.orbit.sticks() && place.y.size() > 1) place.y.resize(1);
-  made_.marks.push_back({branch_, static_cast<std::size_t>(index), place.x, place.y});
+  const std::size_t count =
+      special.at.orbit.sticks() ? std::min<std::size_t>(place.y.size(), 1) : place.y.size();
+  for (std::size_t j = 0; j < count; ++j) {
+    mark.y.push_back(place.y[j]);
+    mark.which.push_back(place.at(j).which);
+  }
+  made_.marks.push_back(std::move(mark));
 }
 
 // On the node that it is, or between the two that it makes the smallest detour from.
@@ -133,7 +141,7 @@ void LineMaker::draw(const std::vector<Node>& nodes, std::size_t j, LineKind fir
            other.y[j] == start.y[j];
   });
   if (lone) {
-    made_.lines.push_back({branch_, first, {{start.x, start.y[j], start.point}}});
+    made_.lines.push_back({branch_, first, {start.at(j)}});
     return;
   }
   LineKind latest = first;
@@ -146,15 +154,21 @@ void LineMaker::draw(const std::vector<Node>& nodes, std::size_t j, LineKind fir
     }
     const LineKind kind = a.kind ? *a.kind : b.kind ? *b.kind : latest;
     if (!drawing || kind != latest) {
-      made_.lines.push_back({branch_, kind, {{a.x, a.y[j], a.point}}});
+      made_.lines.push_back({branch_, kind, {a.at(j)}});
       latest = kind;
       drawing = true;
     }
-    made_.lines.back().nodes.push_back({b.x, b.y[j], b.point});
+    made_.lines.back().nodes.push_back(b.at(j));
   }
 }
 
 }  // namespace
+
+LineKind line_kind(const Orbit& orbit) {
+  if (!orbit.admissible) return kVirtualLine;
+  if (!orbit.stable) return kOpenLine;
+  return *orbit.stable ? kStableLine : kUnstableLine;
+}
 
 BranchLines branch_lines(const std::vector<OrbitBranch>& branches,
                          const std::vector<DiagramCurve>& curves, double across, double up) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,6 +22,7 @@ struct ChartAxis {
   std::string path = {};   // of the parameter that it is, "forcing.frequency"; or none
   bool from_zero = false;  // zero belongs to the range
   bool is_asked = false;  // a range or a scale that is asked for holds for it, as for the first one
+  std::string key = {};   // of the number of the chart's things that it shows; or none
 };
 
 struct ChartSeries {
@@ -30,6 +32,8 @@ struct ChartSeries {
   std::vector<double> x, y;        // SI; a NaN breaks a line
   std::vector<double> error = {};  // half the length of a bar at every point, SI; or none
   bool are_dots = false;           // marks by the million, the smallest that are seen
+  std::vector<int> of = {};        // the thing that each point is of, -1: none; or none has one
+  std::vector<int> which = {};     // of several values that the thing has; empty: always the first
 };
 
 // Words within a panel, written where there is room for them: beside a point, at one of several
@@ -51,7 +55,11 @@ struct ChartCells {
   // From the outer edge of the first column or row to that of the last, SI.
   std::array<double, 2> x{}, y{};
   std::vector<Ground> grounds;
-  std::vector<int> ground;                // of every cell, -1: none
+  std::vector<int> ground;  // of every cell, -1: none
+  // For a page, where every cell is the thing of its index: the values at their middles, what its
+  // grounds tell together, and the key of the number that is shown in their place; or none.
+  std::array<std::vector<double>, 2> middles = {};
+  std::string name = {}, shown = {};
   std::vector<double> numbers = {};       // of every cell, SI, a NaN: none; or no cell has one
   ChartAxis bar = {};                     // of the numbers
   std::vector<std::string> colours = {};  // of the bar, at equal steps from its low end
@@ -78,11 +86,39 @@ struct ChartPanel {
   std::optional<ChartCells> cells = {};  // below all else
 };
 
+// What the points of a chart are of, as motions: what each is called, and numbers that it has. A
+// page tells them of a point, and shows the first panel over any two of them.
+struct ChartThings {
+  struct Number {
+    ChartAxis axis;                         // with its key
+    bool is_single = true;                  // else a thing may have several
+    bool is_axis = true;                    // else it is only told
+    std::vector<double> values = {};        // thing by thing, SI, a NaN: none
+    std::vector<std::size_t> first = {};    // of several: where those of each begin, and the end
+    std::optional<double> level = {};       // a line across
+    std::optional<double> turn = {};        // of an angle, after which it is the same
+    std::vector<std::string> colours = {};  // of a bar, where cells are shown by it
+    std::size_t rough = 0;                  // values from the front that are drawn, no more
+  };
+  struct Kind {
+    std::string title;  // "branch 1, (1,1): stable"
+    std::string of;     // what has the same is one line, whose things are near each other
+    std::string name;   // within the panel: "(1,1)"; or none
+  };
+  std::vector<Kind> kinds = {};
+  std::vector<int> kind = {};  // of each thing
+  std::vector<Number> numbers = {};
+  std::map<int, std::vector<std::pair<std::string, std::string>>> more = {};  // names and values
+};
+
 // Rows of panels, from the head down; panels one below the other over equal axes share their names.
 struct Chart {
   std::string title;  // of a page: "Fit"
   std::vector<std::vector<ChartPanel>> rows;
   std::vector<std::string> legend = {};  // titles in their order; those not among them come first
+  std::optional<ChartThings> things = {};
+  // Other panels than the first of numbers that things have several of, or one of.
+  std::vector<ChartPanel> layouts = {};
 };
 
 }  // namespace graze

@@ -59,6 +59,8 @@ ChartPanel cells_panel(const Plane& plane, const std::string& x_unit, const std:
                            .y = edges(plane.y),
                            .grounds = {},
                            .ground = std::vector<int>(plane.cells(), -1)};
+  for (int i = 0; i < plane.x.points; ++i) panel.cells->middles[0].push_back(plane.x.value(i));
+  for (int i = 0; i < plane.y.points; ++i) panel.cells->middles[1].push_back(plane.y.value(i));
   return panel;
 }
 

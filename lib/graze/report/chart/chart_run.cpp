@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLow = 1.7, kPortrait = 3.6;  // heights of panels, cm
-constexpr std::size_t kMostShownPlaces = 4;
 constexpr std::size_t kMostMarks = 3'000;
 constexpr std::size_t kMostJumps = 200;         // beyond, their lines fill the panel
 constexpr std::size_t kMostPortrayed = 20'000;  // points, which no band can stand for
@@ -32,10 +31,14 @@ ChartSeries line_of(const DrawnCurve& curve, std::string title, Look look) {
 
 class RunChart {
  public:
-  explicit RunChart(const SimulationRecord& record)
-      : record_(record), units_(record.info.units), seen_(motion_seen(record)) {
+  // `explored`: for a page, which thins what is many by what is in view.
+  RunChart(const SimulationRecord& record, bool explored)
+      : record_(record),
+        explored_(explored),
+        units_(record.info.units),
+        seen_(motion_seen(record)) {
     all_places_ = seen_.places.size();
-    seen_.places.resize(std::min(all_places_, kMostShownPlaces));
+    seen_.places.resize(std::min(all_places_, kMostRunPlaces));
   }
 
   Chart made() {
@@ -44,7 +47,7 @@ class RunChart {
     for (const ProbePanel& panel : probe_panels(seen_.probes)) add_probes(panel);
     if (!seen_.forces.empty()) add_forces();
     if (!seen_.energy.empty()) add_energy();
-    if (!record_.samples.empty()) add_portraits();
+    if (!record_.samples.empty() && !explored_) add_portraits();
     return std::move(chart_);
   }
 
@@ -60,10 +63,14 @@ class RunChart {
   }
   // Of the first one at the place.
   std::string stop_name(const SeenPlace& place) const { return name_of(place.stops.front()); }
-  // Towards the stop, as all that is shown of a place, in the few letters that a low panel is high;
-  // probes show u and u'.
+  // As all that is shown of a place, in the few letters that a low panel is high; probes show u and
+  // u'. The panels of a page are higher.
+  std::string towards(const SeenPlace& place) const {
+    if (!explored_) return "→ " + stop_name(place);
+    return several_stops() ? "towards " + stop_name(place) : "towards the stop";
+  }
   std::string velocity_name(const SeenPlace& place) const {
-    return no_stops() ? "rate of q_1\n" : "velocity\n→ " + stop_name(place);
+    return no_stops() ? "rate of q_1\n" : "velocity\n" + towards(place);
   }
 
   ChartPanel over_time(ChartAxis up) const {
@@ -137,7 +144,7 @@ class RunChart {
 
   void add_displacement(const SeenPlace& place) {
     ChartPanel panel =
-        over_time({.name = no_stops() ? "first mode q_1\n" : "displacement\n→ " + stop_name(place),
+        over_time({.name = no_stops() ? "first mode q_1\n" : "displacement\n" + towards(place),
                    .unit = length()});
     const AxisRange motion = displacements(place.motion);
     panel.y.range = motion;
@@ -155,7 +162,8 @@ class RunChart {
       panel.series.push_back(std::move(line));
     }
     ChartSeries touches = marks(place);
-    for (std::size_t k = 0; k < place.impacts.size(); k += place.impacts.size() / kMostMarks + 1)
+    const std::size_t stride = explored_ ? 1 : place.impacts.size() / kMostMarks + 1;
+    for (std::size_t k = 0; k < place.impacts.size(); k += stride)
       add_point(touches, place.impacts[k].time, place.impacts[k].place);
     if (!touches.x.empty()) panel.series.push_back(std::move(touches));
     put(std::move(panel));
@@ -183,7 +191,7 @@ class RunChart {
       add_point(jumps, impact.time, impact.after);
       add_point(jumps, kGap, kGap);
     }
-    if (!jumps.x.empty() && place.impacts.size() <= kMostJumps)
+    if (!jumps.x.empty() && (explored_ || place.impacts.size() <= kMostJumps))
       panel.series.push_back(std::move(jumps));
     put(std::move(panel));
   }
@@ -298,6 +306,7 @@ class RunChart {
   }
 
   const SimulationRecord& record_;
+  bool explored_;
   Units units_;
   MotionSeen seen_;
   std::size_t all_places_ = 0;
@@ -306,6 +315,8 @@ class RunChart {
 
 }  // namespace
 
-Chart motion_chart(const SimulationRecord& record) { return RunChart(record).made(); }
+Chart motion_chart(const SimulationRecord& record) { return RunChart(record, false).made(); }
+
+Chart explored_chart(const SimulationRecord& record) { return RunChart(record, true).made(); }
 
 }  // namespace graze

@@ -41,6 +41,10 @@ Chart chart_of(const BranchRecord& record, bool multipliers = false);
 // each, and exponents; over them the branches.
 Chart chart_of(const DiagramRecord& record, bool multipliers = false);
 
+// The same for a page: its things are the motions, any two of whose numbers may be its axes.
+Chart explored_chart(const BranchRecord& record);
+Chart explored_chart(const DiagramRecord& record);
+
 // Loci in the plane of two parameters, each kind in a colour and a dash of its own; parts whose
 // orbits are none of the system grey. Points of codimension two are marked and named; what is
 // stable, where the record has it, is a ground below.
@@ -49,6 +53,12 @@ Chart chart_of(const LociRecord& record);
 // The plane of two numbers, a ground for each attractor, or a scale of colours for what is shown;
 // over it the loci.
 Chart chart_of(const MapRecord& record);
+// The same for a page: its cells are things, shown by what they settle on or by any of their
+// numbers.
+Chart explored_chart(const MapRecord& record);
+Chart explored_chart(const ComparisonMapRecord& record);
+// Likewise by what is stable where, if the record has it.
+Chart explored_chart(const LociRecord& record);
 // Over a plane, a ground for what both motions settle on, or a scale for a difference.
 Chart chart_of(const ComparisonMapRecord& record);
 
@@ -76,6 +86,9 @@ Chart spectrum_chart(const SimulationRecord& record);
 // it since the first sample. Below, the phase portraits of the first two places. Without stops all
 // of it for the first modal coordinate.
 Chart motion_chart(const SimulationRecord& record);
+// The same for a page, with every impact and no portrait; the first panels show the displacements
+// at the places, in their order, then comes the velocity at the first.
+Chart explored_chart(const SimulationRecord& record);
 
 // The Poincare section of the run: speed over phase of its impacts, or velocity over displacement
 // once a forcing period; a colour for each stop.

@@ -107,6 +107,38 @@ MapLegend comparison_legend(const ComparisonMap& map) {
   return legend;
 }
 
+void set_grounds(const MapLegend& legend, ChartCells& cells) {
+  for (const auto& [name, colour] : legend.entries) cells.grounds.push_back({name, colour});
+  for (std::size_t i = 0; i < cells.ground.size(); ++i)
+    if (legend.kind_of[i] >= 0)
+      cells.ground[i] =
+          static_cast<int>(legend.kinds[static_cast<std::size_t>(legend.kind_of[i])].entry);
+}
+
+ChartThings explored_cells(const MapLegend& legend, const std::string& name,
+                           const std::vector<CellNumbers>& numbers, const std::string& shown,
+                           ChartCells& cells) {
+  set_grounds(legend, cells);
+  cells.name = name;
+  cells.shown = shown;
+  ChartThings things;
+  things.kind = legend.kind_of;
+  for (const MapLegend::Kind& kind : legend.kinds)
+    things.kinds.push_back({kind.name, kind.name, ""});
+  for (const CellNumbers& number : numbers) {
+    const std::size_t count = cells.ground.size();
+    const CellBar bar = cell_bar(count, number.of, number.scale);
+    ChartThings::Number made{
+        .axis = {.name = number.title, .unit = number.unit, .range = bar.range, .key = number.key},
+        .is_axis = false,
+        .colours = {bar.colours.begin(), bar.colours.end()},
+        .rough = count};
+    for (std::size_t i = 0; i < count; ++i) made.values.push_back(number.of(i));
+    things.numbers.push_back(std::move(made));
+  }
+  return things;
+}
+
 CellScale scale_of(MapQuantity quantity) {
   if (quantity == MapQuantity::kMeasured) return CellScale::kAsIs;
   return quantity == MapQuantity::kExponent ? CellScale::kUnbounded : CellScale::kFromZero;

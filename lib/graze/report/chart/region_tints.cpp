@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 
+#include "graze/record/names/detail/sweep_names.hpp"
 #include "graze/report/appearance/looks.hpp"
 
 namespace graze {
@@ -195,8 +197,10 @@ void name_areas(const StableRegions& regions, ChartPanel& panel) {
   }
 }
 
-}  // namespace
-
+struct RegionTints {
+  std::vector<ChartCells::Ground> grounds;  // all that there may be
+  std::vector<int> of;                      // of every place; -1: none
+};
 RegionTints region_tints(const StableRegions& regions) {
   RegionTints tints;
   for (int tint = 0; tint < kTints; ++tint)
@@ -204,6 +208,36 @@ RegionTints region_tints(const StableRegions& regions) {
   for (const RegionPlace& place : regions.places)
     tints.of.push_back(tint_of(place.stable, regions.period, regions.impacts));
   return tints;
+}
+
+}  // namespace
+
+MapLegend region_legend(const StableRegions& regions) {
+  const RegionTints tints = region_tints(regions);
+  MapLegend legend;
+  std::map<int, std::size_t> entries;  // of tints
+  std::map<std::string, int> kinds;
+  for (std::size_t i = 0; i < regions.places.size(); ++i) {
+    const RegionPlace& place = regions.places[i];
+    if (!place.finished) {
+      legend.kind_of.push_back(-1);
+      continue;
+    }
+    const std::string label = label_of(place.stable);
+    const auto [kind, is_new] = kinds.emplace(label, static_cast<int>(legend.kinds.size()));
+    if (is_new) {
+      const int tint = tints.of[i];
+      const auto [entry, is_first] = entries.emplace(tint, legend.entries.size());
+      if (is_first)
+        legend.entries.push_back(
+            tint < 0 ? MapLegend::Entry{"nothing stable found", ground_look("none").colour}
+                     : MapLegend::Entry{tints.grounds[static_cast<std::size_t>(tint)].title,
+                                        tints.grounds[static_cast<std::size_t>(tint)].colour});
+      legend.kinds.push_back({label.empty() ? "nothing stable found" : label, entry->second});
+    }
+    legend.kind_of.push_back(kind->second);
+  }
+  return legend;
 }
 
 void add_tints(const StableRegions& regions, ChartPanel& panel) {

@@ -1,16 +1,4 @@
-// The part of the first axes that is in view, which all pictures with a plane ask for.
-
-// What it spans, as numbers along the axes divided by the factors, and where it is, px. Factors from SI
-// to the axes' units give SI.
-export function planeInView(chart, xFactor = 1, yFactor = 1) {
-  const box = chart.getModel().getComponent('grid', 0).coordinateSystem.getRect();
-  const [x0, y0] = chart.convertFromPixel({ gridIndex: 0 }, [box.x, box.y + box.height]);
-  const [x1, y1] = chart.convertFromPixel({ gridIndex: 0 }, [box.x + box.width, box.y]);
-  return {
-    left: box.x, top: box.y, right: box.x + box.width, bottom: box.y + box.height,
-    x: [x0 / xFactor, x1 / xFactor], y: [y0 / yFactor, y1 / yFactor],
-  };
-}
+// The part of axes that is in view.
 
 // Into an option that is about to be set anew: the zoom stays as it is.
 export function keepZoom(chart, option) {

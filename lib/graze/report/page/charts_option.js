@@ -1,19 +1,18 @@
 // A chart of the program (report/chart) as ECharts draws it: rows of panels with curves, marks, bars of
 // error, fills, levels and words.
 import { axis, hertzAxis, kCommon } from './echarts_parts.js';
-import { markLabel } from './diagram_option.js';
+import { lineNames } from './line_names.js';
 import { pen, stamp } from './marks.js';
+import { nearAxes } from './near_axes.js';
 
 const kPixels = 58;  // of a centimetre of a picture
 const kLeft = 92, kRight = 20, kTop = 14, kHertzTop = 52, kBottom = 50, kBetween = 22, kBeside = 96;  // px
 const kHeading = 17;  // above its panel, px
 const kMany = 300;  // marks, beyond which they are small
+const kBorder = 1.6;  // of lines over cells, px on both sides
+const kMostMarks = 3000, kMostJumps = 200;  // in view; more lines of jumps would fill the panel
+export const kJumps = 'jumps';  // how a velocity goes over at impacts
 const kWhole = 0.6;  // of a mark's size where there are that many
-
-// Panels in their order, with their row and column.
-export function panelsOf(view) {
-  return view.rows.flatMap((row, r) => row.map((panel, c) => ({ ...panel, row: r, column: c, columns: row.length })));
-}
 
 const sameAxis = (a, b) => ['name', 'unit', 'low', 'high', 'scale'].every((key) => a[key] === b[key]);
 
@@ -25,50 +24,102 @@ function sharesAxis(panels, panel) {
 
 const hasHertz = (panel) => panel.row === 0 && panel.x.hertz && panel.x.scale === 'linear';
 
-// The rows' heights, px: with the names below those that have any.
-function rowHeights(view, panels) {
-  return view.rows.map((row, r) => {
-    const inRow = panels.filter((panel) => panel.row === r);
+// The rows of panels with their heights, px: with the names below those that have any.
+function rowsOf(panels) {
+  return [...new Set(panels.map(({ row }) => row))].map((row) => {
+    const inRow = panels.filter((panel) => panel.row === row);
     return {
-      above: (inRow.some(hasHertz) ? kHertzTop : r === 0 ? kTop : 0) + (inRow.some(({ heading }) => heading) ? kHeading : 0),
-      height: kPixels * Math.max(...row.map(({ height }) => height)),
+      row, above: (inRow.some(hasHertz) ? kHertzTop : row === 0 ? kTop : 0) + (inRow.some(({ heading }) => heading) ? kHeading : 0),
+      height: kPixels * Math.max(...inRow.map(({ height }) => height)),
       below: inRow.some((panel) => !sharesAxis(panels, panel)) ? kBottom : kBetween,
     };
   });
 }
 
-export function chartsHeight(view) {
-  return rowHeights(view, panelsOf(view)).reduce((sum, { above, height, below }) => sum + above + height + below, 0);
+export function chartsHeight(panels) {
+  return rowsOf(panels).reduce((sum, { above, height, below }) => sum + above + height + below, 0);
 }
 
-function grids(view, panels, size) {
-  const rows = rowHeights(view, panels);
-  const more = Math.max(0, size.height - chartsHeight(view)) / rows.length;
-  const tops = [];
-  rows.reduce((top, { above, height, below }, r) => (tops[r] = top + above, top + above + height + more + below), 0);
-  return panels.map(({ row, column, columns }) => {
-    const width = (size.width - kLeft - kRight - (columns - 1) * kBeside) / columns;
-    return { left: kLeft + column * (width + kBeside), width, top: tops[row], height: rows[row].height + more, outerBoundsMode: 'none' };
+// What room is left is for the highest rows.
+function grids(panels, size) {
+  const rows = rowsOf(panels);
+  const highest = Math.max(...rows.map(({ height }) => height));
+  const more = Math.max(0, size.height - chartsHeight(panels)) / rows.filter(({ height }) => height === highest).length;
+  let top = 0;
+  for (const row of rows) {
+    row.top = top + row.above;
+    if (row.height === highest) row.height += more;
+    top = row.top + row.height + row.below;
+  }
+  return panels.map((panel) => {
+    const { top: from, height } = rows.find(({ row }) => row === panel.row);
+    const width = (size.width - kLeft - kRight - (panel.columns - 1) * kBeside) / panel.columns;
+    return { left: kLeft + panel.column * (width + kBeside), width, top: from, height, outerBoundsMode: 'none' };
   });
 }
 
-// One of `drawn`: { panel, i, x, y (AxisScale), ranges: { x, y } }.
-function curveSeries({ panel, i, x, y, ranges }, theme, shows) {
+// One of `drawn`: { panel, i, x, y (AxisScale), ranges: { x, y }, lines } with `lines` as placed() has them.
+// `labels`: { things, on }. Dots lie under the chart (dot_layer.js).
+function curveSeries({ panel, i, y, ranges, lines }, theme, shows, labels, seen) {
   const common = { xAxisIndex: i, yAxisIndex: i, silent: true, animation: false, clip: true };
-  return panel.series.flatMap((series, k) => {
-    const count = shows(series.title) ? series.x.length : 0;
-    const points = Array.from({ length: count }, (_, n) => [x.of(series.x[n]), y.of(series.y[n])]);
+  return lines.flatMap((line, k) => {
+    const { series } = line;
+    if (isCloud(series)) return [];
+    const points = shows(series.title) ? pointsOf(line, seen) : [];
     const parts = [];
     const over = 4 + 2 * k;  // those that come later lie on top
-    if (series.line)
-      parts.push({ ...common, id: `curve ${i} ${k}`, type: 'line', data: points, showSymbol: false, z: over, lineStyle: pen(series.look, theme) });
+    if (series.line) {
+      const of = isThinned(line) ? { x: points.map(([x]) => x), y: points.map(([, up]) => up) } : line;
+      const curve = { ...common, type: 'line', data: points.length > 0 ? nearAxes(of, ranges.x, ranges.y) : [], showSymbol: false };
+      const style = pen(series.look, theme);
+      if (panel.cells)  // seen on any colour
+        parts.push({ ...curve, id: `border ${i} ${k}`, z: 3, lineStyle: { color: theme.colours.paper, width: style.width + 2 * kBorder, type: 'solid' } });
+      parts.push({ ...curve, id: `curve ${i} ${k}`, z: over, lineStyle: style });
+    }
     if (series.error) parts.push(errorBars(series, points, { id: `error ${i} ${k}`, z: over }, y, ranges.y, theme, common));
     if (series.marks)
-      parts.push({ ...common, id: `marks ${i} ${k}`, type: 'scatter', data: points.filter((point) => point.every(Number.isFinite)), z: over + 1,
-        ...(series.dots ? { ...stamp(series.look, theme), symbol: 'circle', symbolSize: points.length > kMany ? 2 : 4, large: true, largeThreshold: kMany }
-          : stamp(series.look, theme, points.length > kMany ? kWhole : 1)) });
+      parts.push({ ...common, id: `marks ${i} ${k}`, type: 'scatter', z: over + 1, ...stamp(series.look, theme, points.length > kMany ? kWhole : 1),
+        data: points.map((value, n) => ({ value, name: nameOf(line, n, labels) })).filter(({ value }) => value.every(Number.isFinite)),
+        label: markLabel(theme, labels.on && line.of !== undefined), labelLayout: { hideOverlap: true } });
     return parts;
   });
+}
+
+// Whether only some of a line are drawn where many are in view.
+function isThinned({ series, x, of }) {
+  if (series.look.id === kJumps) return x.length > 3 * kMostJumps;
+  return series.marks && !series.line && !series.error && !of && !isCloud(series) && x.length > kMostMarks;
+}
+
+// Marks evenly, at most so many of what is in view; more jumps of a velocity than a panel holds are none.
+function pointsOf(line, { x: [low, high] }) {
+  const points = Array.from(line.x, (x, n) => [x, line.y[n]]);
+  if (!isThinned(line)) return points;
+  const inside = points.filter(([x]) => !(x < low || x > high));
+  if (line.series.look.id === kJumps) return inside.length > 3 * kMostJumps ? [] : inside;
+  const stride = Math.ceil(inside.length / kMostMarks);
+  return inside.filter((_, n) => n % stride === 0);
+}
+
+export function isCloud({ dots, look }) { return dots && look.mark === 'dot'; }
+
+function nameOf({ of, series }, n, { things }) { return of && !series.line ? things.kindOf(of[n]).name : ''; }
+
+// The names of lines whose points are of things, for what is in view.
+function nameSeries({ i, lines }, theme, shows, { things, on }, inView) {
+  const named = on ? lines.filter(({ of, series }) => of && series.line && shows(series.title)) : [];
+  return {
+    id: `names ${i}`, type: 'scatter', xAxisIndex: i, yAxisIndex: i, silent: true, animation: false, z: 99, symbolSize: 0,
+    data: lineNames(named, things, inView), label: markLabel(theme, on), labelLayout: { hideOverlap: true },
+  };
+}
+
+// A name above its place.
+function markLabel(theme, show) {
+  return {
+    show, formatter: '{b}', position: 'top', distance: 3, fontSize: 11, color: theme.colours.ink,
+    textBorderColor: theme.colours.paper, textBorderWidth: 2.5,
+  };
 }
 
 // Upright strokes; on a logarithmic axis down to its end where they reach to zero.
@@ -95,7 +146,8 @@ function groundSeries({ panel, i, x, y, ranges }, theme, shows) {
     ...common, id: `ground ${i}`, type: 'line', data: [], z: 1, markArea: { silent: true, data: areas },
     markLine: {
       symbol: 'none', silent: true, label: { show: false }, lineStyle: { color: colours.faint, type: 'solid', width: 1 },
-      data: panel.levels.map((level) => ({ yAxis: y.of(level) })).filter(({ yAxis }) => Number.isFinite(yAxis)),
+      data: [...panel.levels.map((level) => ({ yAxis: y.of(level) })), ...(panel.uprights ?? []).map((level) => ({ xAxis: x.of(level) }))]
+        .filter((level) => Object.values(level).every(Number.isFinite)),
     },
   }, {
     ...common, id: `remark ${i}`, type: 'scatter', symbolSize: 1, z: 101, data: panel.remark ? [{ value: middle, name: panel.remark }] : [],
@@ -111,18 +163,32 @@ function zooms(drawn) {
     if (group) group.push(i);
     else groups.push([i]);
   }
-  const common = { type: 'inside', filterMode: 'none', minSpan: 1e-6 };
+  // No deeper than two cells.
+  const least = ({ cells }, along) => (cells ? Math.min(100, 200 / cells[along].length) : 1e-6);
+  const common = (i, along) => ({ type: 'inside', filterMode: 'none', minSpan: least(drawn[i].panel, along) });
   return [
-    ...groups.map((group, k) => ({ ...common, id: `across ${k}`, xAxisIndex: group })),
-    ...drawn.map(({ i }) => ({ ...common, id: `upright ${i}`, yAxisIndex: [i], zoomOnMouseWheel: 'shift' })),
+    ...groups.map((group, k) => ({ ...common(group[0], 'columns'), id: `across ${k}`, xAxisIndex: group })),
+    ...drawn.map(({ i }) => ({ ...common(i, 'rows'), id: `upright ${i}`, yAxisIndex: [i], zoomOnMouseWheel: 'shift' })),
   ];
 }
 
-export function chartsOption(view, drawn, theme, shows, size) {
+// Lines at the tics are for panels without cells.
+const unlined = ({ cells }) => (cells ? { splitLine: { show: false } } : {});
+
+// The cell that is opened, by its place; or null.
+export function markedSeries(place, theme) {
+  return [{
+    id: 'marked', type: 'scatter', data: place ? [place] : [], silent: true, symbol: 'rect', symbolSize: 11, z: 100,
+    itemStyle: { color: 'transparent', borderColor: theme.colours.ink, borderWidth: 2.5, opacity: 1, shadowColor: theme.colours.paper, shadowBlur: 3 },
+  }];
+}
+
+// `inView(i)`: { x, y } of a panel; `marked`: as of markedSeries().
+export function chartsOption({ drawn, theme, shows, labels, inView, size, marked }) {
   const { colours } = theme;
   const panels = drawn.map(({ panel }) => panel);
   const across = drawn.map(({ panel, i, x, ranges }) => {
-    const made = axis(colours, sharesAxis(panels, panel) ? '' : x.name, ...ranges.x, { gridIndex: i, nameGap: 30 });
+    const made = axis(colours, sharesAxis(panels, panel) ? '' : x.name, ...ranges.x, { gridIndex: i, nameGap: 30, ...unlined(panel) });
     if (sharesAxis(panels, panel)) made.axisLabel = { show: false };
     return made;
   });
@@ -132,7 +198,7 @@ export function chartsOption(view, drawn, theme, shows, size) {
       dataZoom.find(({ xAxisIndex }) => xAxisIndex?.includes(i)).xAxisIndex.push(across.length);
       across.push({ ...hertzAxis(colours, ...ranges.x), gridIndex: i });
     }
-  const places = grids(view, panels, size);
+  const places = grids(panels, size);
   return {
     ...kCommon, grid: places, xAxis: across,
     title: panels.flatMap(({ heading }, i) => (heading ? [{
@@ -140,15 +206,19 @@ export function chartsOption(view, drawn, theme, shows, size) {
       textStyle: { color: colours.ink, fontSize: 12, fontWeight: 'normal' },
     }] : [])),
     yAxis: drawn.map(({ i, y, ranges }) => axis(colours, y.name, ...ranges.y, {
-      gridIndex: i, nameGap: 52, splitNumber: 4, nameTextStyle: { color: colours.ink, fontSize: 12, lineHeight: 14 },
+      gridIndex: i, nameGap: 52, splitNumber: 4, ...unlined(panels[i]), nameTextStyle: { color: colours.ink, fontSize: 12, lineHeight: 14 },
     })),
-    series: drawn.flatMap((one) => [...groundSeries(one, theme, shows), ...curveSeries(one, theme, shows)]),
+    series: drawn.flatMap((one) => {
+      const seen = inView(one.i);
+      return [...groundSeries(one, theme, shows), ...curveSeries(one, theme, shows, labels, seen), nameSeries(one, theme, shows, labels, seen)];
+    }).concat(markedSeries(marked, theme)),
     dataZoom,
   };
 }
 
-// Logarithmic axes' tics for what is in view. `inView(i)`: { x, y } of a panel.
-export function chartsTics(drawn, inView) {
+// What depends on what is in view, to be merged into an option: tics of logarithmic axes, names of lines,
+// what is thinned.
+export function chartsInView({ drawn, theme, shows, labels, inView }) {
   const panels = drawn.map(({ panel }) => panel);
   return {
     xAxis: drawn.map(({ panel, x }, i) => {
@@ -156,5 +226,9 @@ export function chartsTics(drawn, inView) {
       return sharesAxis(panels, panel) && tics.axisTick ? { axisTick: tics.axisTick } : tics;
     }),
     yAxis: drawn.map(({ y }, i) => y.tics(...inView(i).y)),
+    series: drawn.flatMap((one) => [
+      ...(labels.on ? [nameSeries(one, theme, shows, labels, inView(one.i))] : []),
+      ...(one.lines.some(isThinned) ? curveSeries(one, theme, shows, labels, inView(one.i)) : []),
+    ]),
   };
 }

@@ -1,8 +1,14 @@
 // Numbers as colours: a scale from `low` to `high` through evenly spaced colours, and the bar that
 // tells of it.
 import { axisName, element, number } from './format.js';
-import { pixelOf } from './cell_layer.js';
 import { cellSwatch } from './marks.js';
+
+// Of "#RRGGBB" or [red, green, blue], as an ImageData has it.
+export function pixelOf(colour) {
+  const [red, green, blue] = typeof colour === 'string'
+    ? [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16)) : colour;
+  return (0xff000000 | (blue << 16) | (green << 8) | red) >>> 0;
+}
 
 const kSteps = 1024, kTics = 5;
 

@@ -1,5 +1,5 @@
-// The dots of a sweep, written pixel by pixel into a canvas under the chart: a million of them take
-// some ten milliseconds, so that they are drawn anew at every step of a zoom.
+// Dots, written pixel by pixel into a canvas under the chart: a million of them take some ten
+// milliseconds, so that they are drawn anew at every step of a zoom.
 //
 // A dot covers a square of pixels. Motions that repeat are opaque; of those that never do, dots on
 // one pixel add up (each lets 1 - a of the ground through), so that where the motion is seen often
@@ -14,50 +14,48 @@ export class DotLayer {
     this.canvas = canvas;
   }
 
-  // `cloud`: places of the dots, as numbers along the axes, and rows; null: none. `wild`: of each row;
-  // `plane`: { left, top, right, bottom } in CSS pixels and the ranges { x: [low, high], y: [low, high] }
-  // that it spans; `shown`: whether dots of rows with wild = 0 and 1 are; `inks`: their colours.
-  draw(cloud, wild, plane, shown, inks) {
+  // `panels`: { plane, clouds } each. `plane`: { left, top, right, bottom } in CSS pixels and the ranges
+  // { x: [low, high], y: [low, high] } that it spans; `clouds`: { x, y, colour, fades }, with numbers along
+  // the axes, those that lie on top last.
+  draw(panels) {
     const ratio = window.devicePixelRatio || 1;
-    const width = Math.round(this.canvas.clientWidth * ratio);
-    const height = Math.round(this.canvas.clientHeight * ratio);
-    this.canvas.width = width;
-    this.canvas.height = height;
-    this.drawn = 0;
-    if (!cloud || width === 0 || height === 0) return;
+    this.canvas.width = Math.round(this.canvas.clientWidth * ratio);
+    this.canvas.height = Math.round(this.canvas.clientHeight * ratio);
+    if (this.canvas.width === 0 || this.canvas.height === 0) return;
+    for (const { plane, clouds } of panels) this.drawPanel(plane, clouds, ratio);
+  }
+
+  drawPanel(plane, clouds, ratio) {
     const box = {
       left: Math.round(plane.left * ratio), top: Math.round(plane.top * ratio),
       width: Math.round((plane.right - plane.left) * ratio),
       height: Math.round((plane.bottom - plane.top) * ratio),
     };
-    if (box.width < 1 || box.height < 1) return;
+    if (clouds.length === 0 || box.width < 1 || box.height < 1) return;
     const context = this.canvas.getContext('2d');
     const image = context.createImageData(box.width, box.height);
-    const counts = [0, 1].map((kind) => (shown[kind] ? this.count(cloud, wild, plane, box, kind) : null));
-    const sizes = counts.map((count) => (count ? dotSize(count.total, ratio) : 0));
-    for (const kind of [1, 0])
-      if (counts[kind]?.total > 0)
-        paint(image, counts[kind], sizes[kind], channels(inks[kind]), kind === 1);
-    context.putImageData(image, box.left, box.top);
-    this.drawn = counts.reduce((sum, count) => sum + (count?.total ?? 0), 0);
-  }
-
-  // How many dots of a kind have their middle on each pixel.
-  count(cloud, wild, plane, box, kind) {
-    const count = { pixels: new Uint16Array(box.width * box.height), total: 0 };
-    const xScale = box.width / (plane.x[1] - plane.x[0]);
-    const yScale = box.height / (plane.y[1] - plane.y[0]);
-    for (let i = 0; i < cloud.x.length; ++i) {
-      if (wild[cloud.row[i]] !== kind) continue;
-      const x = Math.floor((cloud.x[i] - plane.x[0]) * xScale);
-      const y = Math.floor((plane.y[1] - cloud.y[i]) * yScale);
-      if (!(x >= 0 && x < box.width && y >= 0 && y < box.height)) continue;
-      const at = y * box.width + x;
-      if (count.pixels[at] < 65535) ++count.pixels[at];
-      ++count.total;
+    for (const cloud of clouds) {
+      const count = counted(cloud, plane, box);
+      if (count.total > 0) paint(image, count, dotSize(count.total, ratio), channels(cloud.colour), cloud.fades);
     }
-    return count;
+    context.putImageData(image, box.left, box.top);
   }
+}
+
+// How many dots have their middle on each pixel.
+function counted({ x, y }, plane, box) {
+  const count = { pixels: new Uint16Array(box.width * box.height), total: 0 };
+  const xScale = box.width / (plane.x[1] - plane.x[0]);
+  const yScale = box.height / (plane.y[1] - plane.y[0]);
+  for (let i = 0; i < x.length; ++i) {
+    const across = Math.floor((x[i] - plane.x[0]) * xScale);
+    const down = Math.floor((plane.y[1] - y[i]) * yScale);
+    if (!(across >= 0 && across < box.width && down >= 0 && down < box.height)) continue;
+    const at = down * box.width + across;
+    if (count.pixels[at] < 65535) ++count.pixels[at];
+    ++count.total;
+  }
+  return count;
 }
 
 // Device pixels: dots shrink as they crowd.

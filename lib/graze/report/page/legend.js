@@ -1,6 +1,6 @@
 // The legend: a button for each type of what is shown, which hides it and shows it again.
 import { element } from './format.js';
-import { lookSwatch, specialLook } from './marks.js';
+import { cellSwatch, lookSwatch } from './marks.js';
 
 export class Legend {
   // `entries`: { type, title, swatch(theme) }; they may be others when it is drawn again. `changed` is
@@ -17,6 +17,7 @@ export class Legend {
   get shown() { return this.entries.filter(({ type }) => this.shows(type)); }
 
   draw() {
+    this.root.hidden = this.entries.length === 0;
     this.root.replaceChildren(...this.entries.map((entry) => element('button', {
       type: 'button', 'data-type': entry.type, 'aria-pressed': String(this.shows(entry.type)),
       onclick: (event) => this.toggle(entry.type, event.currentTarget),
@@ -30,19 +31,15 @@ export class Legend {
   }
 }
 
-// Of a thing with a look of the program.
-export function lookEntry(look, type = look.id) {
-  return { type, title: look.title, swatch: (theme) => lookSwatch(look, theme) };
-}
-
-// Of a diagram: only what it has over its axes, and in panels below. What lies on top stands first.
-export function diagramEntries({ looks, sweep }, { cloud, lines, marks }, strips) {
-  const entries = [];
-  if (cloud && sweep.wild.includes(0)) entries.push(lookEntry(looks.dots.periodic));
-  if (cloud && sweep.wild.includes(1)) entries.push(lookEntry(looks.dots.wild));
-  const drawn = new Set(lines.map((line) => line.kind));
-  for (let kind = looks.lines.length; kind-- > 0;) if (drawn.has(kind)) entries.push(lookEntry(looks.lines[kind]));
-  for (const type of new Set(marks.map(({ special }) => special.type))) entries.push(lookEntry(specialLook(looks, type), type));
-  if (strips.length > 0) entries.push(lookEntry(looks.dots.lower));
-  return entries;
+// Of a chart one for each title, as it looks where it comes first. `order`: titles, which those not among
+// them come before; `grounds`: of cells.
+export function chartEntries(drawn, order, grounds) {
+  const entries = new Map();
+  const add = (title, swatch) => { if (title && !entries.has(title)) entries.set(title, { type: title, title, swatch }); };
+  for (const { title, colour } of grounds) add(title, (theme) => cellSwatch(theme.shade(colour)));
+  for (const { panel, lines } of drawn) {
+    for (const { series: { title, look, line, marks } } of lines) add(title, (theme) => lookSwatch(look, theme, { line, marks }));
+    for (const { title, colour } of panel.fills) add(title, (theme) => cellSwatch(theme.shade(colour)));
+  }
+  return [...entries.values()].sort((a, b) => order.indexOf(a.title) - order.indexOf(b.title));
 }

@@ -1,8 +1,6 @@
 // A result of Graze as a page: a picture to look into, and what is behind its points.
 import { ChartsView } from './charts_view.js';
 import { Orbits, readView } from './data.js';
-import { DiagramView } from './diagram_view.js';
-import { MapView } from './map_view.js';
 import { OrbitPanel } from './orbit_panel.js';
 import { OrbitsView } from './orbits_view.js';
 import { RunView } from './run_view.js';
@@ -21,18 +19,16 @@ function fillHead(view) {
     `Graze ${graze.version} · drawn with Apache ECharts (Apache License 2.0), which is in this page; nothing is fetched.`;
 }
 
-// What opens a part of the picture from the tables: orbits, or cells of a map.
+// What opens a part of the picture from the tables: orbits, or things of a chart.
 function startPicture(view, orbits, theme) {
   if (view.kind === 'run') return new RunView(view, theme);
-  if (view.kind === 'chart') return new ChartsView(view, theme);
-  if (view.kind === 'map') {
-    const map = new MapView(view, orbits, theme);
-    return (cell) => map.open(cell);
+  if (view.kind === 'chart') {
+    const chart = new ChartsView(view, orbits, theme);
+    return (thing) => chart.openThing(thing);
   }
   const panel = new OrbitPanel(view, theme, () => window.dispatchEvent(new Event('resize')));
-  const openOrbit = (index, value, title = null) => panel.open(orbits.get(index), value, title);
-  if (view.kind === 'orbits') new OrbitsView(view, orbits, theme, openOrbit);
-  else new DiagramView(view, theme, openOrbit);
+  const openOrbit = (index) => panel.open(orbits.get(index));
+  new OrbitsView(view, orbits, theme, openOrbit);
   return openOrbit;
 }
 

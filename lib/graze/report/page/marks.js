@@ -35,14 +35,6 @@ export function stamp(look, theme, part = 1) {
   };
 }
 
-// A special point's look by its type; one unknown is told by its type alone.
-export function specialLook(looks, type) {
-  return looks.special[type] ?? { ...looks.special.other, title: type };
-}
-
-// "period doubling" of "period doubling (PD)".
-export function bareTitle(look) { return look.title.replace(/ \([A-Z]+\)$/, ''); }
-
 const kSvg = 'http://www.w3.org/2000/svg';
 
 function svg(tag, attributes) {

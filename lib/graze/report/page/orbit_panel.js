@@ -18,10 +18,9 @@ export class OrbitPanel {
     window.addEventListener('resize', () => this.fit());
   }
 
-  // `asked`: the parameter's value of the point that was chosen, which may lie beside the orbit's;
-  // `title`: in place of the orbit's name.
-  open(orbit, asked = null, title = null) {
-    const opened = this.panel.open(title ?? orbit.name, this.factsOf(orbit));
+  // `asked`: the parameter's value of the point that was chosen, which may lie beside the orbit's.
+  open(orbit, asked = null) {
+    const opened = this.panel.open(orbit.name, this.factsOf(orbit));
     this.describe(orbit, asked);
     this.show(orbit);
     if (opened) this.panel.focus();

@@ -135,7 +135,7 @@ export class OrbitsView {
     zr.on('globalout', () => this.hover.hide());
     zr.on('click', (event) => {
       const found = this.nearest(event.offsetX, event.offsetY);
-      if (found) this.openOrbit(found.index, null);
+      if (found) this.openOrbit(found.index);
     });
   }
 

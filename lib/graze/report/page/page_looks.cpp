@@ -20,13 +20,6 @@ Json list_of(const Looks& looks) {
   return list;
 }
 
-template <class Looks>
-Json by_id(const Looks& looks) {
-  Json named = Json::object();
-  for (const Look& look : looks) named[look.id] = look_json(look);
-  return named;
-}
-
 }  // namespace
 
 Json look_json(const Look& look) {
@@ -36,15 +29,8 @@ Json look_json(const Look& look) {
 }
 
 Json page_looks() {
-  Json special = by_id(special_looks());
-  special[virtual_special_look().id] = look_json(virtual_special_look());
-  special["other"] = look_json(special_look(""));
   const std::span<const char* const> curves = curve_colours();
   return {{"lines", list_of(line_looks())},
-          {"special", special},
-          {"loci", list_of(locus_looks())},
-          {"codimension_two", look_json(codimension_two_look())},
-          {"dots", by_id(dot_looks())},
           {"curves", std::vector<std::string>(curves.begin(), curves.end())},
           {"none", ground_look("none").colour},
           {"motion", kBlue},

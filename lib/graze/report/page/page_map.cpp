@@ -7,8 +7,8 @@
 #include "graze/assembly/initial_state.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/base/parallel.hpp"
-#include "graze/record/names/detail/map_names.hpp"
 #include "graze/record/study_records.hpp"
+#include "graze/report/chart/charts.hpp"
 #include "graze/report/json/detail/json_document.hpp"
 #include "graze/report/json/detail/json_page.hpp"
 #include "graze/report/json/detail/json_page_orbits.hpp"
@@ -80,8 +80,8 @@ std::vector<CellMotion> motions_of(const MapRecord& record, const Scene& scene,
   return motions;
 }
 
-// Adds what the motions of the map do to `orbits`; the cells that they are of, in their order.
-Json cell_motions_json(const MapRecord& record, const Scene& scene, Json& orbits) {
+// What the motions of the map do, with the cells that they are of.
+void add_motions(const MapRecord& record, const Scene& scene, PageCells& page) {
   // Ctrl-C ends it; a budget of time was the map's.
   PageSource source{record.info, "", record.map.options.closure_speed};
   source.stop.interrupted = record.map.options.stop.interrupted;
@@ -90,16 +90,14 @@ Json cell_motions_json(const MapRecord& record, const Scene& scene, Json& orbits
   for_each_index(motions.size(), record.map.options.threads, [&](std::size_t i) {
     if (!source.stop.requested()) made[i] = cell_motion(source, record, scene, motions[i]);
   });
-  std::vector<std::int32_t> cells;
   std::size_t bytes = 0;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     if (made[i].is_null()) continue;
     bytes += document_text(made[i]).size();
-    if (bytes > kMostBytes && !cells.empty()) break;
-    cells.push_back(static_cast<std::int32_t>(motions[i].cell));
-    orbits.push_back(std::move(made[i]));
+    if (bytes > kMostBytes && !page.kept.empty()) break;
+    page.kept.push_back(static_cast<std::int32_t>(motions[i].cell));
+    page.motions.push_back(std::move(made[i]));
   }
-  return packed(cells);
 }
 
 // At some 20 bytes a cell a browser still reads the file.
@@ -115,33 +113,6 @@ Json command_json(const MapRecord& record, const Scene& scene) {
                            options, scene);
 }
 
-Json attractors_json(const AttractorMap& map) {
-  PlaneCells cells{"attractor", map_legend(map),
-                   [&](std::size_t i) -> const std::string& { return map.cells[i].message; }};
-  for (const MapAttractor& attractor : map.attractors)
-    cells.is_wild.push_back(attractor.attractor.status == SweepStatus::kNotPeriodic);
-  return cells_json(cells);
-}
-
-Json numbers_json(const MapRecord& record) {
-  const AttractorMap& map = record.map;
-  Json numbers = Json::array();
-  const auto add = [&](MapQuantity quantity) {
-    const DrawnQuantity drawn = drawn_quantity(record, quantity);
-    numbers.push_back(number_json({name_of(quantity), drawn.title, drawn.unit, scale_of(quantity),
-                                   [&](std::size_t i) { return drawn.of(map.cells[i]); }},
-                                  map.cells.size()));
-  };
-  for (const MapQuantity quantity : kMapQuantities) {
-    if (quantity == MapQuantity::kAttractor ||
-        (quantity == MapQuantity::kExponent && map.options.exponent_periods == 0))
-      continue;
-    add(quantity);
-  }
-  if (record.measured) add(MapQuantity::kMeasured);
-  return numbers;
-}
-
 }  // namespace
 
 void check_map_page(const std::string& file, const Plane& plane) {
@@ -154,21 +125,23 @@ void check_map_page(const std::string& file, const Plane& plane) {
 
 void write_page(const std::string& file, const MapRecord& record, const Scene& scene) {
   const AttractorMap& map = record.map;
-  Json view = page_view(record.info, record.outcome, record.warnings, {});
-  view["kind"] = "map";
-  view["title"] = map.is_of_starts ? "Basins of attraction" : "Map of attractors";
-  view["x"] = plane_axis_json(map.options.x, record.x_unit);
-  view["y"] = plane_axis_json(map.options.y, record.y_unit);
-  view["cells"] = attractors_json(map);
-  view["shown"] = name_of(record.shown);
-  view["samples"] = map.options.samples;
-  view["numbers"] = numbers_json(record);
-  view["command"] = command_json(record, scene);
-  Json orbits = Json::array();
-  view["motions"] = cell_motions_json(record, scene, orbits);
-  view["is_of_starts"] = map.is_of_starts;
-  view["loci"] = loci_json(record.loci ? &*record.loci : nullptr);
-  write_page_file(file, view, orbits);
+  PageCells cells;
+  cells.message = [&](std::size_t i) -> const std::string& { return map.cells[i].message; };
+  cells.command = command_json(record, scene);
+  for (const MapAttractor& attractor : map.attractors) {
+    const bool wild = attractor.attractor.status == SweepStatus::kNotPeriodic;
+    cells.remarks.push_back(
+        wild ? fmt::format("The numbers are those of the last {} forcing periods, and a run agrees "
+                           "with the map for as long as rounding leaves it.",
+                           map.options.samples)
+             : "");
+    // Starts in one basin lead to one orbit.
+    cells.is_one_motion.push_back(!wild && map.is_of_starts);
+  }
+  add_motions(record, scene, cells);
+  const Chart chart = explored_chart(record);
+  write_plane(file, chart, chart_view(chart, record.info, record.outcome, record.warnings, {}, {}),
+              &cells, record.loci ? &*record.loci : nullptr);
 }
 
 }  // namespace graze

@@ -4,38 +4,49 @@ import { init } from './echarts_parts.js';
 import { axisName, element, measure, number, table } from './format.js';
 import { motionInks, portraitOption } from './orbit_charts.js';
 import { Panel } from './panel.js';
-import { impactsWithin } from './run_option.js';
 
 const kMostImpacts = 200;       // listed
 const kMostPortrayed = 20_000;  // samples
 
+// Of the impacts of a place those within [low, high] s.
+export function impactsWithin({ t }, [low, high]) {
+  const found = [];
+  for (let i = 0; i < t.length; ++i) if (t[i] >= low && t[i] <= high) found.push(i);
+  return found;
+}
+
 export class RunPanel {
-  constructor(view, theme) {
+  // `drawn`: the panels of the chart, of which the first show the displacements at the places, whose
+  // velocities and impacts the view has; the next shows a velocity.
+  constructor(view, drawn, theme) {
     Object.assign(this, { view, theme, pointed: null, kept: null });
+    this.time = drawn[0].panel.x;
+    this.runPlaces = view.places.map((place, i) => {
+      const motion = drawn[i].lines.find(({ series }) => series.line)?.series;
+      const { low, high } = drawn[i].panel.y;
+      return { ...place, t: motion?.x ?? [], x: motion?.y ?? [], isNear: (stop) => stop.place >= low && stop.place <= high };
+    });
+    // Without the way that an axis counts, which the portrait tells.
+    const quantity = (i) => ({ ...drawn[i].panel.y, name: drawn[i].panel.y.name.split('\n')[0] });
+    Object.assign(this, { length: quantity(0), speed: quantity(view.places.length) });
     this.panel = new Panel(['portrait'], () => window.dispatchEvent(new Event('resize')));
     this.panel.keepOpen();
     this.panel.open('Phase portrait', []);
     this.panel.tellCommand(view.made);
     this.places = document.querySelector('#orbit-place select');
-    this.places.replaceChildren(...view.places.map((place, i) => new Option(place.name, String(i))));
+    this.places.replaceChildren(...this.runPlaces.map((place, i) => new Option(place.name, String(i))));
     this.places.addEventListener('change', () => this.look(this.window));
-    document.getElementById('orbit-place').hidden = view.places.length < 2;
+    document.getElementById('orbit-place').hidden = this.runPlaces.length < 2;
     this.chart = init(document.getElementById('orbit-portrait'));
     window.addEventListener('resize', () => this.chart.resize());
   }
 
   get index() { return Number(this.places.value) || 0; }
-  get place() { return this.view.places[this.index]; }
-
-  // Whether a stop is within the picture, or so far off the motion that it would press it flat.
-  isNear(stop) {
-    const { low, high } = this.view.panels.find(({ kind, place }) => kind === 'displacement' && place === this.index);
-    return stop.place >= low && stop.place <= high;
-  }
+  get place() { return this.runPlaces[this.index]; }
 
   tellRemark() {
-    const far = this.place.stops.filter((stop) => !this.isNear(stop))
-      .map((stop) => `stop ${stop.index}, at ${measure(this.view.length, stop.place)}`);
+    const far = this.place.stops.filter((stop) => !this.place.isNear(stop))
+      .map((stop) => `stop ${stop.index}, at ${measure(this.length, stop.place)}`);
     this.panel.tellRemark(
       this.place.t.length === 0 ? 'No samples were recorded.' : '',
       far.length > 0 ? `Beyond the picture ${far.length > 1 ? 'lie' : 'lies'} ${far.join(', ')}.` : '');
@@ -43,7 +54,7 @@ export class RunPanel {
 
   // Which stop an impact is on: the nearest of those that are approached that way.
   stopOf(place, impact) {
-    const { stops, impacts } = this.view.places[place];
+    const { stops, impacts } = this.runPlaces[place];
     const ahead = stops.filter((stop) => stop.sense * impacts.before[impact] > 0);
     const away = (stop) => Math.abs(stop.place - impacts.place[impact]);
     return (ahead.length > 0 ? ahead : stops).reduce((best, stop) => (away(stop) < away(best) ? stop : best)).index;
@@ -52,7 +63,7 @@ export class RunPanel {
   // [from, to] s.
   look(window) {
     this.window = window;
-    const { time } = this.view;
+    const { time } = this;
     const inside = impactsWithin(this.place.impacts, window);
     const count = inside.length > 0 ? [`${inside.length} ${inside.length === 1 ? 'impact' : 'impacts'}`] : [];
     document.getElementById('orbit-facts').textContent =
@@ -60,7 +71,7 @@ export class RunPanel {
     this.listImpacts(inside);
     this.tellRemark();
     const { theme, view } = this;
-    const option = portraitOption({ period: null }, this.portrayed(), motionInks(view, theme), view);
+    const option = portraitOption({ period: null }, this.portrayed(), motionInks(view, theme), this);
     option.series.push(...['kept', 'pointed'].map((id) => ({
       id, type: 'scatter', silent: true, symbolSize: 10, z: 8, data: this.markAt(this[id]),
       itemStyle: { color: id === 'kept' ? theme.colours.ink : 'transparent', borderColor: theme.colours.ink, borderWidth: 2, opacity: 1 },
@@ -79,13 +90,13 @@ export class RunPanel {
     for (let i = 0; i < place.t.length; ++i) if (place.t[i] >= low && place.t[i] <= high) seen.push(i);
     const last = seen.slice(-kMostPortrayed);
     return {
-      name: place.name, stops: place.stops.filter((stop) => this.isNear(stop)), t: last.map((i) => (Number.isFinite(place.v[i]) ? place.t[i] : NaN)), x: last.map((i) => place.x[i]), v: last.map((i) => place.v[i]),
+      name: place.name, stops: place.stops.filter(place.isNear), t: last.map((i) => (Number.isFinite(place.v[i]) ? place.t[i] : NaN)), x: last.map((i) => place.x[i]), v: last.map((i) => place.v[i]),
     };
   }
 
   listImpacts(inside) {
     const { impacts } = this.place;
-    const { time, speed } = this.view;
+    const { time, speed } = this;
     const root = document.getElementById('orbit-impacts');
     if (inside.length === 0) return root.replaceChildren();
     const rows = inside.slice(0, kMostImpacts).map((k) => [
@@ -104,7 +115,7 @@ export class RunPanel {
     let best = -1;
     for (let i = 0; i < t.length; ++i)
       if (Number.isFinite(v[i]) && (best < 0 || Math.abs(t[i] - time) < Math.abs(t[best] - time))) best = i;
-    return best < 0 ? [] : [[this.view.length.factor * x[best], this.view.speed.factor * v[best]]];
+    return best < 0 ? [] : [[this.length.factor * x[best], this.speed.factor * v[best]]];
   }
 
   mark(id, time) {

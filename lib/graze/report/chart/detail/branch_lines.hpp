@@ -14,11 +14,14 @@ namespace graze {
 // In the order in which they are drawn: what is seen in an experiment lies on top.
 enum LineKind : std::size_t { kVirtualLine, kOpenLine, kUnstableLine, kStableLine, kLineKinds };
 
+LineKind line_kind(const Orbit& orbit);
+
 // A piece of a branch of one kind, SI; of a single node where the branch is a single point.
 struct BranchLine {
   struct Node {
     double x = 0.0, y = 0.0;
     int point = 0;  // of the branch, index from 0; of its special points: -1 - index
+    int which = 0;  // of the values that the curve has there
   };
   std::size_t branch = 0;  // index from 0
   LineKind kind = kVirtualLine;
@@ -32,6 +35,7 @@ struct BranchMark {
   std::size_t branch = 0, special = 0;  // indices from 0
   double x = 0.0;
   std::vector<double> y;
+  std::vector<int> which = {};  // of the values that the curve has there, each
 };
 
 struct BranchLines {

@@ -37,6 +37,7 @@ struct CellNumbers {
   std::function<std::string(std::size_t cell)> without;
   std::string title, unit;  // of the bar beside the axes, SI
   CellScale scale = CellScale::kFromZero;
+  std::string key = {};  // of what a page may show
 };
 
 // A panel of cells that have no ground yet.

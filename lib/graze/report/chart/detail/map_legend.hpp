@@ -32,6 +32,15 @@ MapLegend map_legend(const AttractorMap& map);
 // By what both motions of a cell settle on; where they differ it shows.
 MapLegend comparison_legend(const ComparisonMap& map);
 
+void set_grounds(const MapLegend& legend, ChartCells& cells);
+
+// The cells as things of a chart for a page, which shows them by the kinds of the legend, together
+// called `name`, or by any of the numbers. `shown`: the key of the one shown first, or another
+// word.
+ChartThings explored_cells(const MapLegend& legend, const std::string& name,
+                           const std::vector<CellNumbers>& numbers, const std::string& shown,
+                           ChartCells& cells);
+
 // How what is shown of the cells, other than by kind, becomes colours.
 CellScale scale_of(MapQuantity quantity);
 

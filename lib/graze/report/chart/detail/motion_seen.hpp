@@ -9,6 +9,8 @@
 
 namespace graze {
 
+constexpr std::size_t kMostRunPlaces = 4;  // that pictures and pages of a run show
+
 struct TimeSpan {
   double start = 0.0, end = 0.0;  // s
 };

@@ -16,12 +16,19 @@ struct PageTable {
   std::string name;  // "Fitted parameters"
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
+  std::vector<int> opens =
+      {};  // the thing that the first cell of each row opens, -1: none; or none
 };
 
 // Throws FileError, leaving the file as it was, where it cannot be written.
 void write_page(const std::string& file, const Chart& chart, const RunInfo& info,
                 const Outcome& outcome, const std::vector<std::string>& warnings,
                 const std::vector<PageTable>& tables = {});
+
+// The same as a view, to which what its things open may be added.
+Json chart_view(const Chart& chart, const RunInfo& info, const Outcome& outcome,
+                const std::vector<std::string>& warnings, const std::vector<std::string>& notes,
+                const std::vector<PageTable>& tables);
 
 // As a view has them (view.tables).
 Json tables_json(const std::vector<PageTable>& tables);

@@ -9,8 +9,8 @@ namespace graze {
 // Id, title, colour, dashes, width, mark, open and size.
 Json look_json(const Look& look);
 
-// All kinds that a page may show: lines of branches in the order of LineKind, special points by
-// label, loci, dots by id, colours of curves, of a motion and of grounds.
+// What a page shows beside charts: lines of orbits by stability, colours of curves, of a motion
+// and of grounds.
 Json page_looks();
 
 }  // namespace graze

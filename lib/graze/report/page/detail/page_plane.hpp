@@ -1,4 +1,4 @@
-// A plane of two numbers as a page shows it: its axes, what its cells are, and the loci over them.
+// A plane of two numbers as a page: a chart whose first things are its cells, and what these open.
 #pragma once
 
 #include <functional>
@@ -6,42 +6,30 @@
 #include <vector>
 
 #include "graze/bifurcation/loci/orbit_loci.hpp"
-#include "graze/report/chart/detail/map_legend.hpp"
-#include "graze/report/json/detail/json_value.hpp"
+#include "graze/report/page/detail/page_chart.hpp"
 #include "graze/scene/scene.hpp"
 #include "graze/study/plane/plane.hpp"
 
 namespace graze {
 
-// An axis with the values at the middles of its cells.
-Json plane_axis_json(const PlaneAxis& axis, const std::string& unit);
-// Without cells: what it spans, SI.
-Json plane_axis_json(const std::string& parameter, const std::string& unit, AxisRange range);
-
-// What the cells are called together ("attractor"), their kinds and the sentences of those that
-// have something to say. `is_wild`: of kinds that never repeat; empty: none does.
-struct PlaneCells {
-  std::string name;
-  MapLegend legend;
-  std::function<const std::string&(std::size_t cell)> message;
-  std::vector<bool> is_wild = {};
-};
-Json cells_json(const PlaneCells& cells);
-
-// A number of every cell, NaN where it has none, on a scale of colours.
-struct PlaneNumber {
-  std::string key, name, unit;  // SI
-  CellScale scale = CellScale::kFromZero;
-  std::function<double(std::size_t cell)> of;
-};
-Json number_json(const PlaneNumber& number, std::size_t cells);
-
-// The lines of all loci, by kind, and the points of codimension two; null without any.
-Json loci_json(const OrbitLoci* traced);
-
 // A command that follows what a cell does: what stands before and after the settings of the cell,
 // and the start that its coordinates replace numbers of.
 Json cell_command_json(const std::string& before, const std::string& after, const Plane& plane,
                        const Scene& scene);
+
+// What is told of a cell that is opened.
+struct PageCells {
+  std::function<const std::string&(std::size_t cell)> message;  // a sentence, or an empty one
+  Json command;
+  std::vector<std::string> remarks = {};  // by kind, beside the message
+  // Whether all cells of a kind lead to one motion; else a page says of which cell its motion is.
+  std::vector<bool> is_one_motion = {};
+  std::vector<std::int32_t> kept = {};  // those whose motions the page has
+  Json motions = Json::array();
+};
+
+// `cells`: null without any; `traced`: the loci, or null; `more`: tables below the others.
+void write_plane(const std::string& file, const Chart& chart, Json view, const PageCells* cells,
+                 const OrbitLoci* traced, const std::vector<PageTable>& more = {});
 
 }  // namespace graze
