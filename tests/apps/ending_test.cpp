@@ -42,6 +42,8 @@ const std::vector<Endless> kEndless{
     {"orbits of a stiff beam", "orbit " + kStiffBeam},
     {"a map of a stiff beam", "map " + kStiffBeam + kEndingPlane},
     {"costs of a stiff beam", "cost " + kStiffBeam},
+    {"costs of 200 modes held in 50 digits",
+     "cost " + scene("02_wagg_momentum.toml") + " --set beam.modes=200 --set stop.gap=0"},
     {"orbits of 400 modes", "orbit " + kManyModes},
     {"branches of 400 modes", "continue " + kManyModes + kGaps},
     {"orbits of 400 slow periods, solved by the dozen",

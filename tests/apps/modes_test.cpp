@@ -61,7 +61,8 @@ TEST(Modes, OfAMeshAreDrawnByItsElements) {
   write("k.mtx", "1,1,1,1,1\n2,1,1,1,-1\n2,1,2,1,2\n3,1,2,1,-1\n3,1,3,1,1\n");
   write("mesh.inp",
         "*NODE, NSET=ALL\n1,0,0,0\n2,1,0,0\n3,2,0,0\n*ELEMENT, TYPE=B32\n1,1,2,3\n*ELEMENT, "
-        "TYPE=S3R\n2,1,2,3\n*ELEMENT, TYPE=SPRINGA\n3,1,2\n*NSET, NSET=Root\n1,\n*NSET, "
+        "TYPE=S3R\n2,1,2,3\n*ELEMENT, TYPE=SPRINGA\n3,1,2\n*ELEMENT, TYPE=CPS3\n4,3,2,1\n*NSET, "
+        "NSET=Root\n1,\n*NSET, "
         "NSET=TIP\n3,\n");
   write("s.toml",
         "[matrices]\nmass = \"m.mtx\"\nstiffness = \"k.mtx\"\ncoordinates = \"mesh.inp\"\nmodes = "
@@ -74,10 +75,10 @@ TEST(Modes, OfAMeshAreDrawnByItsElements) {
   std::ostringstream drawn;
   drawn << std::ifstream(folder / "out" / "mode_1.vtu").rdbuf();
   const std::string text = drawn.str();
-  EXPECT_NE(text.find("NumberOfCells=\"3\""), std::string::npos) << text;
-  EXPECT_NE(text.find("0 2 1\n0 1 2\n0 1\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("\n3\n6\n8\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("\n21\n5\n2\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("NumberOfCells=\"4\""), std::string::npos) << text;
+  EXPECT_NE(text.find("0 2 1\n0 1 2\n0 1\n2 1 0\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\n3\n6\n8\n11\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\n21\n5\n2\n5\n"), std::string::npos) << text;
   // What two nodes have cannot be one stop, nor what is no set.
   for (const char* node : {"ALL.1", "NONE.1", "TIP"}) {
     const Finished refused =

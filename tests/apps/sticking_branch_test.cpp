@@ -126,6 +126,25 @@ TEST(StickingBranchCommand, EndsWhereTheStructureIsNotLeftAnyMore) {
   }
 }
 
+// An orbit of four periods that sticks once in them. Runs of 2,000 periods repeat with four of them
+// between these values and with others outside: at either end the chatter completes no more.
+TEST(StickingBranchCommand, OfFourPeriodsEndsWhereItsChatterCompletesNoMore) {
+  const Finished run =
+      run_graze("diagram --json --points 20 --from 2.885 --to 2.8945 --parameter " +
+                ("forcing.frequency " + kOscillator));
+  ASSERT_EQ(run.code, 0) << run.err;
+  std::vector<json> found;
+  for (const json& branch : json::parse(run.out)["branches"])
+    if (branch["period"] == 4) found.push_back(branch);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0]["ends"], json::array({"CH", "CH"}));
+  const json& points = found[0]["points"];
+  EXPECT_GT(points.front()["value"].get<double>(), 2.8875292);
+  EXPECT_LT(points.front()["value"].get<double>(), 2.8875294);
+  EXPECT_GT(points.back()["value"].get<double>(), 2.8925414);
+  EXPECT_LT(points.back()["value"].get<double>(), 2.8925416);
+}
+
 // A stop without a shape is none: the branch goes up to it from either side.
 TEST(StickingBranchCommand, SurvivesAValueThatTheSceneDoesNotAllow) {
   const Finished run = run_graze("continue " + scene("04_impact_oscillator.toml") +

@@ -49,6 +49,19 @@ TEST_F(MeshFile, HasNodesElementsAndSets) {
                 {"ALL", {1, 2, 3, 4}}, {"TIP", {2}}, {"ENDS", {2, 4}}, {"ROW", {1, 3}}}));
 }
 
+TEST_F(MeshFile, HasSetsOfWhatStandsBelowThem) {
+  const Mesh mesh = read(
+      "*NSET,NSET=ROW,GENERATE\n2,1000000000000,2\n*NSET,NSET=BOTH\nrow, tip\n"
+      "*NSET,NSET=A\nB,1\n*NSET,NSET=B\nA,3\n" +
+      kNodes + "*NSET,NSET=TIP\n3\n*NODE,NSET=TIP\n6,2,0,0\n");
+  EXPECT_EQ(mesh.sets, (std::map<std::string, std::vector<long>>{{"ALL", {1, 2, 3, 4}},
+                                                                 {"ROW", {2, 4, 6}},
+                                                                 {"TIP", {3, 6}},
+                                                                 {"BOTH", {2, 3, 4, 6}},
+                                                                 {"A", {1, 3}},
+                                                                 {"B", {1, 3}}}));
+}
+
 TEST_F(MeshFile, MayBeAListOfNodes) {
   for (const char* text : {"1,0,0,0\n2, 1, 0.5\n", "# x y z\n1 0 0 0\n\n2 1 .5 0\n"}) {
     const Mesh mesh = read(text);
@@ -65,7 +78,7 @@ TEST_F(MeshFile, IsRefusedWithItsLine) {
   EXPECT_EQ(refusal(kNodes + "*NSET\n1\n"),
             "mesh.inp:6: the set has no name, the keyword must be *NSET, NSET=NAME");
   EXPECT_EQ(refusal(kNodes + "*NSET,NSET=A\nTIP\n"),
-            "mesh.inp:7: \"TIP\" is not allowed, it must be an integer");
+            "mesh.inp:7: \"TIP\" is neither a node's number nor a set");
   EXPECT_EQ(refusal(kNodes + "*NSET,NSET=A,GENERATE\n1,4,0\n"),
             "mesh.inp:7: the step 0 must be at least 1");
 }

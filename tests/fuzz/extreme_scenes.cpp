@@ -123,6 +123,7 @@ std::vector<std::string> extreme_command(const std::string& scene, Draw& draw) {
       {"map", "--points", "4", "--second-points", "3"},
       {"compare", "--against", "stop.gap=2e-3"},
       {"compare", "--against", "forcing.amplitude=2e-3"},
+      {"cost"},
       {"modes"},
       {"check"}};
   std::vector<std::string> words = draw.of(kCommands);

@@ -128,6 +128,77 @@ TEST(TouchingStops, ShareWhatReachesThemTogether) {
     }
 }
 
+System forced_chain(Eigen::Index bodies, std::vector<Stop> stops, const Vector& force) {
+  // cos(t - pi/2): a sine, which begins at zero.
+  return support::forced(chain(bodies, std::move(stops)), 1.0, -0.5 * std::numbers::pi, force);
+}
+
+// A force sin t on the first of n bodies presses them all together, x = (t - sin t)/n until it
+// turns; pulling, it takes that body away, and nothing moves the others.
+TEST(TouchingStops, AreDecidedByAForceThatBeginsAtZero) {
+  for (Eigen::Index n = 2; n <= 6; ++n)
+    for (const double restitution : {0.0, 0.5, 1.0}) {
+      std::vector<Stop> stops;
+      for (Eigen::Index i = 0; i + 1 < n; ++i) stops.push_back(rigid(n, i, restitution));
+      const Vector first = Vector::Unit(n, 0);
+      const double t = 3.0, whole = t - std::sin(t);
+      SimulationOptions options = support::for_seconds(t);
+      const Simulation pressed =
+          support::record_run(forced_chain(n, stops, first), thrown(n, 0, 0.0), options).result;
+      ASSERT_EQ(pressed.outcome, RunOutcome::kReachedEnd) << pressed.message;
+      const Simulation pulled =
+          support::record_run(forced_chain(n, stops, -first), thrown(n, 0, 0.0), options).result;
+      ASSERT_EQ(pulled.outcome, RunOutcome::kReachedEnd) << pulled.message;
+      EXPECT_NEAR(pulled.final.q[0], -whole, 1e-14);
+      for (Eigen::Index i = 0; i < n; ++i) {
+        EXPECT_NEAR(pressed.final.q[i], whole / static_cast<double>(n), 1e-14);
+        if (i > 0) {
+          EXPECT_NEAR(pulled.final.q[i], 0.0, 1e-15);
+        }
+      }
+    }
+}
+
+// The same force on every body moves them as one, whatever is between them.
+TEST(TouchingStops, AreNotMovedByWhatMovesAllAlike) {
+  for (const double exponent : {1.0, 1.5}) {
+    const System system =
+        forced_chain(3, {spring(3, 0, 100.0, exponent), rigid(3, 1, 0.8)}, Vector::Ones(3));
+    const double t = 9.0;
+    const Simulation run =
+        support::record_run(system, thrown(3, 0, 0.0), support::for_seconds(t)).result;
+    ASSERT_EQ(run.outcome, RunOutcome::kReachedEnd) << run.message;
+    for (const double q : run.final.q) EXPECT_NEAR(q, t - std::sin(t), 1e-12);
+  }
+}
+
+// Bodies 3 to 6 rest against each other under no force. The blows that body 1, under a load, gives
+// body 2 do not reach them, nor do they part them: the first that does is shared by all.
+TEST(TouchingStops, AreNotPartedByBlowsElsewhere) {
+  System system = chain(6, {rigid(6, 0, 0.8), rigid(6, 1, 1.0), rigid(6, 2, 1.0), rigid(6, 3, 0.8),
+                            rigid(6, 4, 0.0)});
+  system.modal().load = Vector::Unit(6, 0);
+  const auto run = expect_as_integrated(system, thrown(6, 1, -1.0), 2.0);
+  EXPECT_TRUE(stops_of(run.events, EventKind::kRelease).empty());
+}
+
+// From rest, under a force that begins at zero and may end at it anywhere.
+TEST(TouchingStops, RandomChainsUnderASine) {
+  for (int i = 0; i < 60; ++i) {
+    support::Dice dice(7000 + static_cast<std::uint64_t>(i));
+    support::Chain given = support::mixed_chain(dice, 6);
+    const Eigen::Index n = given.start.q.size();
+    given.start.qdot.setZero();
+    Vector force = Vector::Zero(n);
+    force[dice.pick(static_cast<int>(n))] = dice.pick(2) == 0 ? 1.0 : -1.0;
+    given.system =
+        support::forced(given.system, dice.uniform(0.3, 3.0), -0.5 * std::numbers::pi, force);
+    SCOPED_TRACE(i);
+    expect_as_integrated(given.system, given.start, 4.0);
+    if (HasFailure()) break;
+  }
+}
+
 // Chains of rigid stops and springs, of every length, one body thrown to either side.
 TEST(TouchingStops, RandomChainsAsIntegrated) {
   for (int i = 0; i < 150; ++i) {

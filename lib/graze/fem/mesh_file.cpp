@@ -3,11 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "graze/fem/detail/text_lines.hpp"
 
 namespace graze {
 namespace {
+
+// What a line adds to a set: the nodes from the first to the last, or those of another set.
+struct Member {
+  long first, last, step;
+  std::string set;
+  int line;
+};
 
 class MeshReader {
  public:
@@ -25,10 +33,7 @@ class MeshReader {
     }
     finish_element();
     if (mesh_.nodes.empty()) lines_.fail_at(0, "the file has no nodes");
-    for (auto& [name, nodes] : mesh_.sets) {
-      std::sort(nodes.begin(), nodes.end());
-      nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    }
+    fill_sets();
     return std::move(mesh_);
   }
 
@@ -71,7 +76,7 @@ class MeshReader {
     if (!mesh_.nodes.emplace(node, place).second)
       lines_.fail(fmt::format("the node {} stands twice", parts[0]));
     if (const auto set = parameters_.find("NSET"); set != parameters_.end())
-      mesh_.sets[set->second].push_back(node);
+      members_[set->second].push_back({node, node, 1, {}, 0});
   }
 
   // A line that ends with a comma goes on in the next.
@@ -87,36 +92,62 @@ class MeshReader {
 
   // Numbers of nodes and names of sets, or first, last and step.
   void take_set() {
-    std::vector<long>& set = mesh_.sets[parameters_["NSET"]];
+    std::vector<Member>& members = members_[parameters_["NSET"]];
     const auto& parts = lines_.parts();
     if (parameters_.contains("GENERATE")) {
       if (parts.size() != 2 && parts.size() != 3)
         lines_.fail("the line must have the first node, the last and, if it is not 1, the step");
-      const long last = lines_.integer(parts[1]);
       const long step = parts.size() == 3 ? lines_.integer(parts[2]) : 1;
       if (step < 1) lines_.fail(fmt::format("the step {} must be at least 1", step));
-      const long first = lines_.integer(parts[0]);
-      for (auto node = mesh_.nodes.lower_bound(first);
-           node != mesh_.nodes.end() && node->first <= last; ++node)
-        if ((node->first - first) % step == 0) set.push_back(node->first);
+      members.push_back({lines_.integer(parts[0]), lines_.integer(parts[1]), step, {}, 0});
       return;
     }
     for (const std::string_view part : parts) {
-      const auto other = mesh_.sets.find(in_capitals(part));
-      if (other == mesh_.sets.end()) {
-        set.push_back(lines_.integer(part));
+      const bool is_name = part.find_first_not_of("+-0123456789") != part.npos;
+      const long node = is_name ? 0 : lines_.integer(part);
+      members.push_back(
+          {node, node, 1, is_name ? std::string(part) : std::string(), lines_.number()});
+    }
+  }
+
+  // Once all is read: nodes and sets may stand below the sets that name them.
+  void fill_sets() {
+    for (const auto& [name, members] : members_) {
+      std::set<std::string> seen;
+      std::set<long> nodes;
+      add_members(name, seen, nodes);
+      mesh_.sets[name].assign(nodes.begin(), nodes.end());
+    }
+  }
+
+  void add_members(const std::string& name, std::set<std::string>& seen, std::set<long>& nodes) {
+    if (!seen.insert(name).second) return;  // of sets that name each other
+    for (const Member& member : members_.at(name)) {
+      if (member.set.empty()) {
+        add_range(member, nodes);
+      } else if (const std::string other = in_capitals(member.set); members_.contains(other)) {
+        add_members(other, seen, nodes);
       } else {
-        const std::vector<long> nodes = other->second;
-        set.insert(set.end(), nodes.begin(), nodes.end());
+        lines_.fail_at(member.line,
+                       fmt::format("\"{}\" is neither a node's number nor a set", member.set));
       }
     }
+  }
+
+  // A node that is named alone need not have a place.
+  void add_range(const Member& range, std::set<long>& nodes) const {
+    if (range.first == range.last) nodes.insert(range.first);
+    for (auto node = mesh_.nodes.lower_bound(range.first);
+         node != mesh_.nodes.end() && node->first <= range.last; ++node)
+      if ((node->first - range.first) % range.step == 0) nodes.insert(node->first);
   }
 
   TextLines& lines_;
   Mesh mesh_;
   Taker take_ = nullptr;  // of lines below the present keyword; null: they are passed over
-  std::map<std::string, std::string> parameters_;  // of the keyword, in capitals
-  std::vector<long> numbers_;                      // of the element that is being read
+  std::map<std::string, std::string> parameters_;       // of the keyword, in capitals
+  std::map<std::string, std::vector<Member>> members_;  // of each set
+  std::vector<long> numbers_;                           // of the element that is being read
 };
 
 }  // namespace

@@ -94,7 +94,7 @@ constexpr double kRoundingsOfModes = 64.0;
 }  // namespace
 
 double condition_number(const Matrix& matrix) {
-  const Vector sigma = singular_values(matrix).values;
+  const Vector sigma = right_singular_vectors(matrix).values;
   const double smallest = sigma[sigma.size() - 1];
   return smallest > 0.0 ? sigma[0] / smallest : std::numeric_limits<double>::infinity();
 }

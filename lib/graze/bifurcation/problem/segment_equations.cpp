@@ -199,6 +199,10 @@ Vector SegmentEquations::halves_differ(const SolutionPoint& solution) const {
     SegmentLayout half_layout = layout();
     half_layout.period /= 2;
     const SegmentShooting half = shooting_.over(std::move(half_layout));
+    // A motion that is in flight then differs from one that is released by more than numbers tell.
+    const auto back =
+        layout().released ? return_of(*system, half, solution.u) : std::optional<ReleaseReturn>();
+    if (layout().released && (!back || !back->returns)) return Vector();
     const auto at = half.linearise(*system, solution.u, {});
     return at ? at->residual : Vector();
   });

@@ -33,11 +33,21 @@ void Motion<Real>::land(const Real& flight) {
   }
 }
 
+// On a rigid stop that it has left from rest, before the clock feels it: only rounding can do that.
+template <class Real>
+bool Motion<Real>::is_back_at_once(const Arrival<Real>& arrival) const {
+  return (arrival.kind == ArrivalKind::kContact || arrival.kind == ArrivalKind::kTouch) &&
+         arrival.stop >= 0 && !stop(arrival.stop).is_compliant() &&
+         contact(arrival.stop) == Contact::kDeparting && multiplicity(arrival.stop) > 1 &&
+         Real(now_.instant.local + arrival.flight) == now_.instant.local;
+}
+
 template <class Real>
 Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
   using std::isfinite;
   flown_ = phase_;
   const bool whole = arrival.flight == until - now_.instant.local;
+  const bool returns = is_back_at_once(arrival);
   if (arrival.flight > 0) land(arrival.flight);
   now_.instant.local = whole ? until : Real(now_.instant.local + arrival.flight);
   if (now_.instant.local >= clock_.period()) {
@@ -68,6 +78,11 @@ Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
   }
   if (arrival.told) {
     tell_forces(arrival);
+    return arrival;
+  }
+  if (returns && !(approach_speed(arrival.stop) > speed_rounding(arrival.stop))) {
+    arrival.kind = ArrivalKind::kTouch;
+    rest_untold(arrival.stop);
     return arrival;
   }
   switch (arrival.kind) {

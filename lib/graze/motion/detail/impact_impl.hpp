@@ -77,6 +77,10 @@ void Motion<Real>::impact_together() {
     if (solved && (solved->array() > 0).count() > 1 && comes_to_rest(touched))
       jump = {RealVector<Real>::Zero(touched.speed.size()), *solved};
   }
+  // What a stop that is held has of a speed is rounding, and is none of what the impact left.
+  RealVector<Real> unfelt = -touched.speed;
+  for (Eigen::Index a = 0; a < unfelt.size(); ++a)
+    unfelt[a] += approach_speed(touched.stops[static_cast<std::size_t>(a)]);
   apply(touched.stops, jump.target, jump.impulse);
   shares_.clear();
   for (Eigen::Index a = 0; a < touched.speed.size(); ++a) {
@@ -89,13 +93,13 @@ void Motion<Real>::impact_together() {
   touched.rounding += rounding_of_action(touched.acting, jump.impulse);
   for (Eigen::Index a = 0; a < touched.speed.size(); ++a) {
     const int i = touched.stops[static_cast<std::size_t>(a)];
+    const bool stays = !(approach_speed(i) - unfelt[a] < -touched.rounding[a]);
     if (!is_held(i)) {
       set(i, Contact::kTouching);
     } else if (contact(i) == Contact::kLocked) {  // at rest, while the others stay
-      const bool stays = !(approach_speed(i) < -touched.rounding[a]);
       set(i, Contact::kTouching, stays ? 2 : 0);
       recheck_ = true;
-    } else if (approach_speed(i) < -touched.rounding[a]) {
+    } else if (!stays) {
       changes_.push_back({ArrivalKind::kRelease, i});
       set(i, Contact::kTouching);
     } else {

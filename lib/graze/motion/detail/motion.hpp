@@ -214,6 +214,7 @@ class Motion {
   void ask_the_motion();
   void tell_forces(Arrival<Real>& arrival);
   std::vector<int> untold() const;
+  void rest_untold(int stop);
   void ask_again();
   void vanish_together(const Real& flight);
   RealVector<Real> located_size() const;
@@ -273,6 +274,7 @@ class Motion {
   Arrival<Real> arrive(Arrival<Real> arrival, const Real& until);
   void settle_on(int stop, const Real& flight);
   void touch_simultaneous(const Real& flight);
+  bool is_back_at_once(const Arrival<Real>& arrival) const;
   void fail_audit(int stop, std::string what);
   Real passing_rounding(int stop, const Real& flight) const;
   Real pushing_rounding(int stop, const Real& flight) const;

@@ -39,6 +39,16 @@ void Motion<Real>::ask_the_motion() {
   }
 }
 
+// Where rounding let it leave: it is held by no force so far, and the motion tells beside springs.
+template <class Real>
+void Motion<Real>::rest_untold(int i) {
+  if (is_independent(i, closed()))
+    set(i, Contact::kClosed, is_sprung() ? kHeldUntold : kHeldIdle);
+  else
+    set(i, Contact::kLocked);
+  phase_ = nullptr;
+}
+
 template <class Real>
 std::vector<int> Motion<Real>::untold() const {
   std::vector<int> list;

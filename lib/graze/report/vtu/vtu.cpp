@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <string_view>
+#include <vector>
 
 #include "graze/scene/matrix_structure.hpp"
 
@@ -15,17 +17,17 @@ constexpr std::size_t kMostLinesPerNode = 3;
 // Of VTK.
 constexpr int kVertex = 1, kPolyVertex = 2, kVtuLine = 3;
 
-// How ParaView draws an element: the first of these that its type begins with, and in which order
-// VTK has its nodes, where that is another one. It has as many nodes.
+// How ParaView draws an element, by what its type begins with and its nodes, which VTK has in the
+// same order but for those of lines: solids, membranes and shells (also of plane and axisymmetric
+// problems), beams and bars.
 struct Drawn {
-  const char* type;
-  std::size_t nodes;
-  int cell;
+  std::vector<std::string_view> types;
+  std::map<std::size_t, int> cells;
 };
-constexpr Drawn kDrawn[] = {
-    {"C3D4", 4, 10},   {"C3D6", 6, 13},   {"C3D8", 8, 12}, {"C3D10", 10, 24},  {"C3D15", 15, 26},
-    {"C3D20", 20, 25}, {"B31", 2, kVtuLine}, {"B32", 3, 21},  {"T3D2", 2, kVtuLine}, {"T3D3", 3, 21},
-    {"B21", 2, kVtuLine}, {"S3", 3, 5},      {"S4", 4, 9},    {"S6", 6, 22},      {"S8", 8, 23},
+const Drawn kDrawn[] = {
+    {{"C3D"}, {{4, 10}, {6, 13}, {8, 12}, {10, 24}, {15, 26}, {20, 25}}},
+    {{"S", "M3D", "CPS", "CPE", "CAX"}, {{3, 5}, {4, 9}, {6, 22}, {8, 23}}},
+    {{"B2", "B3", "T2", "T3"}, {{2, kVtuLine}, {3, 21}}},
 };
 constexpr int kQuadraticEdge = 21;
 
@@ -41,9 +43,11 @@ struct Grid {
 
 // What is not known how to draw is drawn by its nodes.
 int cell_of(const MeshElement& element) {
-  for (const Drawn& drawn : kDrawn)
-    if (element.type.starts_with(drawn.type) && element.nodes.size() == drawn.nodes)
-      return drawn.cell;
+  for (const auto& [types, cells] : kDrawn) {
+    const auto cell = cells.find(element.nodes.size());
+    for (const std::string_view type : types)
+      if (cell != cells.end() && element.type.starts_with(type)) return cell->second;
+  }
   return kPolyVertex;
 }
 

@@ -6,8 +6,11 @@
 #include <numeric>
 #include <utility>
 
+#include "graze/base/detail/stop_scope.hpp"
 #include "graze/flow/exact/detail/dense_factors_extended.hpp"
 
+// A product of two columns of 400 numbers takes some 20 us: every loop over them asks whether its
+// time is over, and what it leaves then is of no use to anyone.
 namespace graze {
 namespace extended_columns {
 
@@ -49,7 +52,7 @@ inline bool part(ExtendedMatrix& a, ExtendedMatrix& v, Eigen::Index i, Eigen::In
 // x less tau v (v^T x) for the columns `from` on, v_k = 0 above row `row`.
 inline void reflect(ExtendedMatrix& a, Eigen::Index from, const ExtendedMatrix& v, Eigen::Index row,
                     const Extended& tau) {
-  for (Eigen::Index j = from; j < a.cols(); ++j) {
+  for (Eigen::Index j = from; j < a.cols() && !StopScope::is_over(); ++j) {
     const Extended along = tau * column_product(v, row, a, j, row);
     for (Eigen::Index k = row; k < a.rows(); ++k) a(k, j) -= along * v(k, row);
   }
@@ -61,7 +64,7 @@ template <>
 RealMatrix<Extended> product(const RealMatrix<Extended>& a, const RealMatrix<Extended>& b) {
   RealMatrix<Extended> c = RealMatrix<Extended>::Zero(a.rows(), b.cols());
   for (Eigen::Index j = 0; j < b.cols(); ++j)
-    for (Eigen::Index k = 0; k < b.rows(); ++k)
+    for (Eigen::Index k = 0; k < b.rows() && !StopScope::is_over(); ++k)
       for (Eigen::Index i = 0; i < a.rows(); ++i) c(i, j) += a(i, k) * b(k, j);
   return c;
 }
@@ -71,7 +74,7 @@ RealMatrix<Extended> transposed_product(const RealMatrix<Extended>& a,
                                         const RealMatrix<Extended>& b) {
   RealMatrix<Extended> c(a.cols(), b.cols());
   for (Eigen::Index j = 0; j < b.cols(); ++j)
-    for (Eigen::Index i = 0; i < a.cols(); ++i)
+    for (Eigen::Index i = 0; i < a.cols() && !StopScope::is_over(); ++i)
       c(i, j) = extended_columns::column_product(a, i, b, j);
   return c;
 }
@@ -109,7 +112,7 @@ PivotedLu<Extended>::PivotedLu(const RealMatrix<Extended>& matrix)
   std::iota(columns_.begin(), columns_.end(), Index{0});
   const Index n = factors_.rows();
   Extended smallest = 0;
-  for (Index k = 0; k < n; ++k) {
+  for (Index k = 0; k < n && !StopScope::is_over(); ++k) {
     Index row = k, column = k;
     for (Index j = k; j < n; ++j)
       for (Index i = k; i < n; ++i)
@@ -120,7 +123,7 @@ PivotedLu<Extended>::PivotedLu(const RealMatrix<Extended>& matrix)
     exchange(k, row, column);
     rank_ = k + 1;
     for (Index i = k + 1; i < n; ++i) factors_(i, k) /= factors_(k, k);
-    for (Index j = k + 1; j < n; ++j)
+    for (Index j = k + 1; j < n && !StopScope::is_over(); ++j)
       for (Index i = k + 1; i < n; ++i) factors_(i, j) -= factors_(i, k) * factors_(k, j);
   }
 }
@@ -156,7 +159,7 @@ SingularValues<Extended> singular_values(const RealMatrix<Extended>& matrix) {
   for (int sweep = 0; turned && sweep < kMostSweeps; ++sweep) {
     turned = false;
     for (Eigen::Index i = 0; i < n; ++i)
-      for (Eigen::Index j = i + 1; j < n; ++j)
+      for (Eigen::Index j = i + 1; j < n && !StopScope::is_over(); ++j)
         turned = extended_columns::part(a, v, i, j) || turned;
   }
   RealVector<Extended> sizes(n);

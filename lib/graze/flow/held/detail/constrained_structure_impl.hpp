@@ -14,7 +14,8 @@
 namespace graze {
 namespace constrained_structure_detail {
 
-// Roundings by which decay rates may miss alpha + beta w^2 and a direction b/(b.b).
+// Roundings by which decay rates may miss alpha + beta w^2, a direction b/(b.b) and what one
+// vector has along another, in parts of both norms.
 inline constexpr int kRoundings = 16;
 
 // Decay rates proportional to mass and stiffness: delta_j = alpha + beta w_j^2.
@@ -52,6 +53,24 @@ bool is_normal(const RealVector<Real>& row, const RealVector<Real>& direction) {
          kRoundings * std::numeric_limits<double>::epsilon() * normal.norm();
 }
 
+// What a load or a row has along a direction: nothing where that is rounding, whose sign would move
+// what is at rest.
+template <class Real>
+Real along(const RealVector<Real>& direction, const RealVector<Real>& x) {
+  using std::abs;
+  const Real part = direction.dot(x);
+  const Real rounding =
+      kRoundings * std::numeric_limits<Real>::epsilon() * direction.norm() * x.norm();
+  return abs(part) > rounding ? part : Real(0);
+}
+
+template <class Real>
+RealVector<Real> along_each(const RealMatrix<Real>& directions, const RealVector<Real>& x) {
+  RealVector<Real> parts(directions.cols());
+  for (Eigen::Index j = 0; j < parts.size(); ++j) parts[j] = along<Real>(directions.col(j), x);
+  return parts;
+}
+
 }  // namespace constrained_structure_detail
 
 template <class Real>
@@ -69,6 +88,7 @@ ConstrainedStructure<Real>::ConstrainedStructure(const System& system, std::vect
 template <class Real>
 void ConstrainedStructure<Real>::reduce(const System& system) {
   using namespace constrained_structure_detail;
+  using std::abs;
   rows = rows_of(system, constrained).template cast<Real>();
   directions = directions_of(system, constrained).template cast<Real>();
   shares =
@@ -88,6 +108,11 @@ void ConstrainedStructure<Real>::reduce(const System& system) {
     const RealMatrix<Real> root = whole.omega.asDiagonal() * basis;
     const SingularValues<Real> factors = singular_values<Real>(root);
     basis = product<Real>(basis, factors.right).rowwise().reverse();
+    // Of columns of length 1: what does not move with others stays as it is, to the last digit.
+    const Real rounding = kRoundings * std::numeric_limits<Real>::epsilon();
+    for (Eigen::Index j = 0; j < m; ++j)
+      for (Real& part : basis.col(j))
+        if (abs(part) <= rounding) part = 0;
     reduced.omega = factors.values.reverse();
     // Within the error of the singular values a mode is free.
     const Real smallest =
@@ -113,7 +138,7 @@ void ConstrainedStructure<Real>::reduce(const System& system) {
     reduced.delta[j] =
         damping ? Real(damping->alpha + damping->beta * reduced.omega[j] * reduced.omega[j])
                 : Real(whole.delta.dot(basis.col(j).cwiseAbs2()));
-  if (whole.forced) reduced.amplitude = transposed_image<Real>(basis, whole.amplitude);
+  if (whole.forced) reduced.amplitude = along_each<Real>(basis, whole.amplitude);
   reduced.load = balanced_load();
 }
 
@@ -122,7 +147,8 @@ void ConstrainedStructure<Real>::reduce(const System& system) {
 template <class Real>
 RealVector<Real> ConstrainedStructure<Real>::balanced_load() {
   RealVector<Real> load = -transposed_image<Real>(stretched, whole.omega.cwiseProduct(rest));
-  if (whole.load.size() > 0) load += transposed_image<Real>(basis, whole.load);
+  if (whole.load.size() > 0)
+    load += constrained_structure_detail::along_each<Real>(basis, whole.load);
   for (Eigen::Index j = 0; j < load.size(); ++j) {
     const Real w = reduced.omega[j];
     if (!(w > 0 && exact_flow_detail::rests_within_reach(load[j], w, whole.reach))) continue;
@@ -139,24 +165,27 @@ Eigen::Index ConstrainedStructure<Real>::column_of(int stop) const {
 
 template <class Real>
 std::vector<Observable<Real>> ConstrainedStructure<Real>::observables(const System& system) const {
+  using constrained_structure_detail::along, constrained_structure_detail::along_each;
   std::vector<Observable<Real>> list;
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     const RealVector<Real> row = system.stops[i].row.template cast<Real>();
     const Eigen::Index column = column_of(static_cast<int>(i));
     Observable<Real> seen;
-    if (column == static_cast<Eigen::Index>(constrained.size())) {
+    const bool is_gap = column == static_cast<Eigen::Index>(constrained.size());
+    if (is_gap) {
       seen = gap_observable<Real>(row, Real(system.stops[i].gap));
     } else {
       const RealVector<Real> share = shares.col(column);
       const Real unit = Real(1) / row.squaredNorm();
       seen.displacement = -unit * whole.omega.cwiseAbs2().cwiseProduct(share);
       seen.velocity = -2 * unit * whole.delta.cwiseProduct(share);
-      if (whole.load.size() > 0) seen.constant = unit * share.dot(whole.load);
-      if (whole.forced) seen.harmonic.re = unit * share.dot(whole.amplitude);
+      if (whole.load.size() > 0) seen.constant = unit * along<Real>(share, whole.load);
+      if (whole.forced) seen.harmonic.re = unit * along<Real>(share, whole.amplitude);
     }
     if (!is_free()) {
       seen.constant += seen.displacement.dot(rest);
-      seen.displacement = transposed_image<Real>(basis, seen.displacement);
+      seen.displacement = is_gap ? along_each<Real>(basis, seen.displacement)
+                                 : transposed_image<Real>(basis, seen.displacement);
       if (seen.velocity.size() > 0) seen.velocity = transposed_image<Real>(basis, seen.velocity);
     }
     list.push_back(std::move(seen));

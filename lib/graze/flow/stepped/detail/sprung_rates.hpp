@@ -220,8 +220,13 @@ inline void Sprung::set_units(double theta, const Vector& velocity,
           std::fmin(longest_step_, spring.law.onset_depth / (2.0 * spring.law.onset_sharpness * v));
   }
   if (system_.turning) set_turning_units(velocity);
-  // No error is smaller than the rounding of the velocities.
-  const double rounding = std::numeric_limits<double>::epsilon() * largest_of(velocity);
+  // No error is smaller than the rounding of the velocities, those that the forces cause among
+  // them: at rest, where the push begins at zero, nothing else tells how fast anything will be.
+  const double pace = std::fmax(contact_frequency_, system_.frequency);
+  const double driven =
+      pace > 0.0 ? (largest_of(system_.load) + largest_of(system_.force)) / pace : 0.0;
+  const double rounding =
+      std::numeric_limits<double>::epsilon() * std::fmax(largest_of(velocity), driven);
   if (tolerance_ > 0.0) unit_ = std::fmax(unit_, 16.0 * rounding / tolerance_);
   if (!(unit_ > 0.0)) unit_ = 1.0;
 }
