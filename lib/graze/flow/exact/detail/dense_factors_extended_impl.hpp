@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "graze/base/detail/stop_scope.hpp"
+#include "graze/base/stop_scope.hpp"
 #include "graze/flow/exact/detail/dense_factors_extended.hpp"
 
 // A product of two columns of 400 numbers takes some 20 us: every loop over them asks whether its
