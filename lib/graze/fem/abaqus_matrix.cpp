@@ -1,7 +1,7 @@
 // The text that *MATRIX OUTPUT of Abaqus writes (Abaqus Analysis User's Guide, "Generating
 // structural matrices"): FORMAT=MATRIX INPUT has lines of row node, row degree of freedom, column
-// node, column degree of freedom, value, parted by commas; FORMAT=COORDINATE has row, column,
-// value. Of a symmetric matrix one triangle by the program's own order of nodes may be listed, or
+// node, column degree of freedom, value, separated by commas; FORMAT=COORDINATE has row, column,
+// value. For a symmetric matrix one triangle by the program's own order of nodes may be listed, or
 // both.
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // The name of a degree of freedom: its number, or a node of the mesh and a direction there (1, 2, 3
 // displacements along x, y, z; 4, 5, 6 rotations about them), as finite-element programs count.
-// CalculiX makes solids of shells and beams, so that a node of these has several rows of one name;
-// they are told apart by a third number.
+// CalculiX makes solids of shells and beams, so that a node of these has several rows with one
+// name; a third number distinguishes them.
 #pragma once
 
 #include <compare>
@@ -18,10 +18,10 @@ struct DofLabel {
   auto operator<=>(const DofLabel&) const = default;
 };
 
-// "12.3", or "7" of one without a direction, or "12.3.2" of the second of several rows.
+// "12.3", or "7" for one without a direction, or "12.3.2" for the second of several rows.
 std::string label_text(const DofLabel& label);
 
-// Of a text written so; nothing where it is none.
+// Reads such a text; nullopt when it is no label.
 std::optional<DofLabel> label_from_text(const std::string& text);
 
 }  // namespace graze

@@ -13,8 +13,8 @@
 namespace graze {
 namespace {
 
-// The first of the largest displacements is positive, so that the sign is the same in every run:
-// those that a symmetric structure has on both sides differ by rounding.
+// Makes the first of the largest displacements positive, so that the sign is the same in every run:
+// those on both sides of a symmetric structure differ by rounding.
 double sign_of(const Vector& phi) {
   const double large = (1.0 - 1e-6) * phi.cwiseAbs().maxCoeff();
   const auto first =
@@ -40,9 +40,9 @@ class Judge {
   JudgedMode judged(const Vector& phi) const {
     JudgedMode found = as_it_is(phi);
     if (found.square == 0.0 && found.residual <= kLargestResidual) return found;
-    // Where a body of its own is joined to others by its mass alone, these rest in its rigid-body
-    // mode, and what is found is rounding of what they do in other modes. Where the shape without
-    // it has no strain energy, it is itself a mode of the frequency 0.
+    // Where a separate body is coupled to others by its mass alone, these rest in its rigid-body
+    // mode, and their computed motion is the rounding of other modes. If the shape without that
+    // motion has no strain energy, it is itself a mode of the frequency 0.
     const Vector plain = (phi.array().abs() > rounding_.array()).select(phi, 0.0);
     if (plain == phi) return found;
     JudgedMode rigid = as_it_is(plain);
@@ -63,13 +63,13 @@ class Judge {
                       mode.energy, mode.energy / size.dot(scale_k), kRigidEnergy));
     mode.square = mode.energy <= limit ? 0.0 : mode.energy;
     const Vector residual = forces - mode.square * (structure_.mass * phi);
-    // Nothing acts on a body of its own that no stiffness holds: it has neither residual nor scale.
+    // No force acts on a separate body without stiffness: it has neither residual nor scale.
     const double scale = (scale_k + mode.square * (absolute_m_ * size)).norm();
     mode.residual = scale > 0.0 ? residual.norm() / scale : 0.0;
     return mode;
   }
 
-  // Modes are told apart by linear combinations of columns, which leave each entry some units in
+  // Modes are separated by linear combinations of columns, which round each entry by some units in
   // the last place of the largest of its row; as many as kRigidEnergy has.
   static constexpr double kShapeRounding = kRigidEnergy;
 

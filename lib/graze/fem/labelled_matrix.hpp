@@ -10,7 +10,7 @@
 
 namespace graze {
 
-// By columns, both triangles stored.
+// Column-major, with both triangles stored.
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
 struct LabelledMatrix {
@@ -18,7 +18,7 @@ struct LabelledMatrix {
   SparseMatrix matrix;
   std::vector<DofLabel> labels;  // of its rows; 1, 2, .. where the file has no names
   bool has_names = false;        // the labels are those of the file
-  std::vector<DofLabel> held;    // to which the program gave the stiffness it holds a node with
+  std::vector<DofLabel> held;    // rows to which the program gave the stiffness of a held node
 };
 
 // Largest difference of two entries that mirror each other, relative to the largest of both and of

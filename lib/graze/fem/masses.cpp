@@ -32,13 +32,14 @@ SparseMatrix principal(const SparseMatrix& matrix, const std::vector<int>& rows)
 }
 
 // Masses of finite elements are well conditioned once their diagonal is scaled to 1 (A. J. Wathen,
-// IMA J. Numer. Anal. 7 (1987) 449), which Lanczos' iteration sees for the price of some products;
-// factors, which a large structure pays for, decide where they are not.
+// IMA J. Numer. Anal. 7 (1987) 449), which Lanczos' iteration shows for the price of some products;
+// factors, which are expensive for a large structure, decide where they are not.
 constexpr double kSafeMass = 1e-2;
-// Up to as many rows factors, and eigenvalues, cost nothing.
+// Up to this number of rows factors and eigenvalues cost nothing.
 constexpr int kFewRows = 500;
-// Where eigenvalues of a semidefinite mass are counted: well above 0, so that L D L^T is accurate,
-// and below the least that elements leave beside it, 2.8e-3 of CalculiX's ten-node tetrahedra.
+// The shift at which eigenvalues of a semidefinite mass are counted: well above 0, so that L D L^T
+// is accurate, and below the smallest nonzero one of elements, 2.8e-3 for CalculiX's ten-node
+// tetrahedra.
 constexpr double kCountedMass = 1e-5;
 
 }  // namespace
@@ -105,8 +106,8 @@ void Masses::refuse(Eigen::Index row) const {
                   row_name(structure_, row < 0 ? -1 : rows_[static_cast<std::size_t>(row)])));
 }
 
-// What has no mass must have a stiffness that tells how it follows the rest: no displacement of
-// such degrees of freedom alone may be free of strain energy, by the measure of rigid-body modes.
+// Degrees of freedom without mass must have a stiffness that determines how they follow the rest:
+// no displacement of these alone may be free of strain energy, by the measure of rigid-body modes.
 void Masses::check_others() const {
   std::vector<int> rows;
   for (int i = 0; i < structure_.size(); ++i)
@@ -116,7 +117,7 @@ void Masses::check_others() const {
   SparseCholesky factors(stiffness);
   Eigen::Index row = 0;
   if (factors.factorise(stiffness)) {
-    // Inverse iteration: its second step has all digits of what is softer by many orders.
+    // Inverse iteration: its second step has all digits of a vector that is softer by many orders.
     Vector softest = Vector::LinSpaced(stiffness.rows(), 1.0, 2.0);
     for (int step = 0; step < 4; ++step) softest = factors.solve(softest).col(0).normalized();
     const Vector size = softest.cwiseAbs();

@@ -60,7 +60,7 @@ void make_symmetric(const std::string& file, Entries& entries, const Vector& dia
     if (entry.row == entry.column) continue;
     const MatrixEntry* mirror = find(entries, entry.column, entry.row);
     const double other = mirror ? mirror->value : 0.0;
-    // A pair is looked at once, when the later of its columns is reached.
+    // A pair is handled once, when the later of its columns is reached.
     if (mirror && entry.row > entry.column) continue;
     const double scale = std::max({std::sqrt(diagonal[entry.row] * diagonal[entry.column]),
                                    std::abs(entry.value), std::abs(other)});

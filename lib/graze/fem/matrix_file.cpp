@@ -20,7 +20,7 @@ std::string lower_extension(const std::filesystem::path& file) {
   return text;
 }
 
-// "model.pch#KAAX" is the file and the matrix in it, unless a file is called so.
+// "model.pch#KAAX" names the file and the matrix in it, unless there is a file of that name.
 std::string cut_name(std::filesystem::path& file) {
   const std::string text = file.string();
   const std::size_t at = text.rfind('#');
@@ -30,7 +30,7 @@ std::string cut_name(std::filesystem::path& file) {
   return text.substr(at + 1);
 }
 
-// `take` sees each with the line that it stands in.
+// Calls `take` for each name, with its line.
 std::vector<DofLabel> names_in(const std::filesystem::path& file,
                                const std::function<void(const TextLines&, const DofLabel&)>& take) {
   TextLines lines(file.string(), read_bytes(file));

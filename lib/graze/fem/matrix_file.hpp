@@ -1,5 +1,5 @@
 // Symmetric matrices of finite-element models, read from files of the programs that write them. The
-// format is told by the file itself:
+// name of the file, and its first lines, give its format:
 //
 //   .mtx         Matrix Market (its first line says so): coordinate or array, real or integer,
 //                general or symmetric; else Abaqus (*MATRIX GENERATE): "MATRIX INPUT" with lines of
@@ -11,8 +11,8 @@
 //   .bdf, .dat, .nas, .pch   Nastran DMIG: square or symmetric, real; "file.pch#KAAX" names one of
 //                several
 //
-// Abaqus, CalculiX and scipy may list one triangle: where no entry beside the diagonal has its
-// mirror image listed, all of them stand for both.
+// Abaqus, CalculiX and scipy may list one triangle: when no off-diagonal entry has its mirror image
+// listed, every entry stands for both.
 #pragma once
 
 #include <filesystem>

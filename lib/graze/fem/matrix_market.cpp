@@ -1,5 +1,5 @@
-// Matrix Market, https://math.nist.gov/MatrixMarket/formats.html: a line that tells the format,
-// comments, the sizes, the entries; arrays column by column, of a symmetric one its lower triangle.
+// Matrix Market, https://math.nist.gov/MatrixMarket/formats.html: a line with the format, comments,
+// the sizes, the entries; arrays column by column, for a symmetric matrix its lower triangle.
 #include <fmt/format.h>
 
 #include "graze/fem/detail/matrix_entries.hpp"

@@ -79,7 +79,7 @@ class MeshReader {
       members_[set->second].push_back({node, node, 1, {}, 0});
   }
 
-  // A line that ends with a comma goes on in the next.
+  // A line that ends with a comma continues in the next.
   void take_element() {
     for (const std::string_view part : lines_.parts()) numbers_.push_back(lines_.integer(part));
     if (trimmed(lines_.line()).back() != ',') finish_element();
@@ -90,7 +90,7 @@ class MeshReader {
     numbers_.clear();
   }
 
-  // Numbers of nodes and names of sets, or first, last and step.
+  // Takes numbers of nodes and names of sets, or first, last and step.
   void take_set() {
     std::vector<Member>& members = members_[parameters_["NSET"]];
     const auto& parts = lines_.parts();
@@ -144,7 +144,7 @@ class MeshReader {
 
   TextLines& lines_;
   Mesh mesh_;
-  Taker take_ = nullptr;  // of lines below the present keyword; null: they are passed over
+  Taker take_ = nullptr;  // of lines below the present keyword; null: they are skipped
   std::map<std::string, std::string> parameters_;       // of the keyword, in capitals
   std::map<std::string, std::vector<Member>> members_;  // of each set
   std::vector<long> numbers_;                           // of the element that is being read

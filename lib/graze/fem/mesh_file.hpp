@@ -1,6 +1,6 @@
 // Nodes, elements and sets of nodes of a mesh: from lines of a node and its x, y, z (m; z may be
-// missing), parted by blanks or commas, or from an input file of CalculiX or Abaqus (*NODE,
-// *ELEMENT, *NSET; other keywords are passed over). Lines that begin with ** or # are comments.
+// missing), separated by blanks or commas, or from an input file of CalculiX or Abaqus (*NODE,
+// *ELEMENT, *NSET; other keywords are skipped). Lines that begin with ** or # are comments.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct Mesh {
 // Throws FileError where the file cannot be read, and InputError with file:line.
 Mesh read_mesh(const std::filesystem::path& file);
 
-// As names of sets and types count: without regard to case.
+// The text in capitals: names of sets and types are compared without regard to case.
 std::string in_capitals(std::string_view text);
 
 }  // namespace graze

@@ -1,4 +1,4 @@
-// What a damping matrix is to the modes of a structure.
+// A damping matrix in the modes of a structure.
 #pragma once
 
 #include "graze/fem/structural_modes.hpp"
@@ -11,14 +11,14 @@ inline constexpr double kProportional = 1e-8;
 struct ModalDamping {
   Vector delta;  // decay rates, 1/s: half the diagonal of Phi^T C Phi
   bool is_proportional = false;
-  double mass = 0.0, stiffness = 0.0;  // a in 1/s, b in s, of the proportional one
-  // Else the largest entry beside the diagonal of Phi^T C Phi, which couples two modes and is left
-  // out, relative to the geometric mean of both their diagonal entries; modes from 0 on.
+  double mass = 0.0, stiffness = 0.0;  // a in 1/s, b in s, if it is proportional
+  // Else the largest off-diagonal entry of Phi^T C Phi, which couples two modes and is neglected,
+  // relative to the geometric mean of both their diagonal entries; modes from 0 on.
   double coupling = 0.0;
   int first = 0, second = 0;
 };
 
-// Of a structure with a damping matrix. Throws InputError where it takes a mode's energy in.
+// For a structure with a damping matrix. Throws InputError where it adds energy to a mode.
 ModalDamping modal_damping(const StructuralMatrices& structure, const StructuralModes& modes);
 
 }  // namespace graze

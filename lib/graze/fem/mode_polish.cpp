@@ -10,7 +10,7 @@
 namespace graze {
 
 bool orthonormalise(const SparseMatrix& mass, Matrix& vectors) {
-  // Twice, as the first time leaves what the condition of the columns makes of rounding.
+  // Two passes, as the first one leaves rounding multiplied by the condition of the columns.
   for (int pass = 0; pass < 2; ++pass) {
     const Matrix gram = transposed_product<double>(vectors, mass * vectors);
     const Eigen::LLT<Matrix> factors(gram);

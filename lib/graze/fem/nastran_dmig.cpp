@@ -1,6 +1,6 @@
 // DMIG entries of the bulk data of Nastran (MSC Nastran Quick Reference Guide, "Direct Matrix Input
 // at Points"), in small fields (8 columns), large ones (16 columns, names with *) or free ones
-// (parted by commas or tabs):
+// (separated by commas or tabs):
 //
 //   DMIG, name, 0, IFO, TIN, ..                      IFO 1 square, 6 symmetric; TIN 1, 2 real
 //   DMIG, name, GJ, CJ, , G1, C1, A1, , G2, C2, A2   column (GJ, CJ), rows (G, C) with A
@@ -20,7 +20,7 @@ struct Field {
   int line = 0;
 };
 
-// Of one line, without the first field (the name of the entry) and the last (of continuation).
+// The fields of one line, without the first (the name of the entry) and the last (continuation).
 void add_fields(const TextLines& lines, std::string_view line, std::vector<Field>& fields) {
   const auto add = [&](std::string_view text) {
     fields.push_back({std::string(trimmed(text)), lines.number()});

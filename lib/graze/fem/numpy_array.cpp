@@ -53,7 +53,7 @@ void take_values(const char* bytes, std::size_t count, std::vector<double>& valu
   }
 }
 
-// How the values of one type are taken, and their size.
+// How the values of one type are read, and their size.
 struct ValueType {
   const char* name;
   std::size_t size;
@@ -64,7 +64,7 @@ constexpr ValueType kTypes[] = {
     {"i8", 8, take_values<std::int64_t>},  {"i4", 4, take_values<std::int32_t>},
     {"u8", 8, take_values<std::uint64_t>}, {"u4", 4, take_values<std::uint32_t>}};
 
-// Characters, of one byte (S) or four (U), of which the first is kept.
+// Characters of one byte (S) or four (U), of which the first is kept.
 std::string characters(const std::string& bytes, std::size_t begin, bool wide) {
   std::string text;
   for (std::size_t i = begin; i < bytes.size(); i += wide ? 4 : 1)

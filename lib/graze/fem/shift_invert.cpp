@@ -13,7 +13,7 @@ struct Inverse {
   using Scalar = double;
   const SparseCholesky& factors;
   Eigen::Index size;
-  // Taken out of every result: found * (found^T M).
+  // Projected out of every result: found * (found^T M).
   const Matrix* found = nullptr;
   Matrix weighted{};
 
@@ -57,7 +57,7 @@ struct ScaledMass {
 
 using Solver = Spectra::SymGEigsShiftSolver<Inverse, MassProduct, Spectra::GEigsMode::ShiftInvert>;
 
-// A start that no symmetry of the structure shares.
+// A start vector that shares no symmetry of the structure.
 Vector start_vector(Eigen::Index size, int attempt) {
   Vector start(size);
   double angle = 1.0 + attempt;

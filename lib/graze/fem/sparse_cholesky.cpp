@@ -11,8 +11,8 @@
 namespace graze {
 namespace {
 
-// A view of the upper triangle; the lower one is passed over. A matrix may have room between its
-// columns.
+// A view of the upper triangle; the lower one is ignored. A matrix may have unused space between
+// its columns.
 cholmod_sparse view(const SparseMatrix& matrix) {
   cholmod_sparse seen{};
   seen.nrow = seen.ncol = static_cast<std::size_t>(matrix.rows());
@@ -141,7 +141,7 @@ double SparseCholesky::entries() const { return factors_->entries; }
 std::optional<int> SparseCholesky::negative_eigenvalues(const SparseMatrix& matrix) {
   cholmod_common& common = factors_->common;
   cholmod_sparse seen = view(matrix);
-  // The order that is known already, for factors L D L^T.
+  // The known order, for factors L D L^T.
   const auto* order = static_cast<const int*>(factors_->factor->Perm);
   std::vector<int> kept(order, order + factors_->factor->n);
   const int supernodal = common.supernodal, final_ll = common.final_ll, methods = common.nmethods;

@@ -53,7 +53,7 @@ void name_rows(LabelledMatrix& matrix, const std::vector<DofLabel>& names,
   matrix.has_names = true;
 }
 
-// All of them: first those of the stiffness.
+// All labels: first those of the stiffness.
 std::vector<DofLabel> united_labels(const LabelledMatrix& mass, const LabelledMatrix& stiffness,
                                     const LabelledMatrix* damping) {
   std::vector<DofLabel> labels = stiffness.labels;
@@ -92,7 +92,7 @@ std::vector<DofLabel> rows_named(const Places& places, const DofLabel& name) {
   return rows;
 }
 
-// What a unit acceleration of the whole structure does, before rows are left out.
+// Adds the loads of a unit acceleration of the whole structure, before rows are left out.
 void add_inertia(StructuralMatrices& result, const SparseMatrix& mass,
                  const std::vector<DofLabel>& labels, const Places& kept,
                  const std::set<long>& nodes) {

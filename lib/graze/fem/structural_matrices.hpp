@@ -17,8 +17,8 @@
 
 namespace graze {
 
-// A displacement is one of a rigid body where its strain energy is within rounding of zero:
-// |phi^T K phi| <= kRigidEnergy * |phi|^T |K| |phi|, |K| the matrix of the absolute values. Below
+// A displacement counts as rigid-body motion where its strain energy is within rounding of zero:
+// phi^T K phi| <= kRigidEnergy * |phi|^T |K| |phi|, |K| the matrix of the absolute values. Below
 // minus that the stiffness counts as indefinite.
 inline constexpr double kRigidEnergy = 1e3 * 2.220446049250313e-16;
 
@@ -26,8 +26,8 @@ struct MatrixFiles {
   std::filesystem::path mass, stiffness;
   std::optional<std::filesystem::path> damping{};
   std::optional<std::filesystem::path> dofs{};  // names of the rows, for files without names
-  // Of the mesh, where all are known. Rows of other nodes, by which CalculiX has the incompatible
-  // modes of C3D8I, S4 and B31, are no displacements of the structure as a whole.
+  // The nodes of the mesh, if all are known. Rows of other nodes, which CalculiX uses for the
+  // incompatible modes of C3D8I, S4 and B31, are no displacements of the structure as a whole.
   std::set<long> nodes{};
 };
 
@@ -41,8 +41,8 @@ struct StructuralMatrices {
   // the nodes of the mesh are known, of those alone.
   std::map<int, Vector> inertia_loads;
   std::map<int, double> total_masses;
-  // Pairs of nodes that an entry of the stiffness couples, held ones included; of a frame its bars.
-  // Empty where the degrees of freedom belong to no nodes.
+  // Pairs of nodes that an entry of the stiffness couples, held ones included; for a frame its
+  // bars. Empty where the degrees of freedom belong to no nodes.
   std::vector<std::pair<long, long>> couplings;
   std::string mass_file, stiffness_file, damping_file;  // for messages
 
@@ -50,9 +50,9 @@ struct StructuralMatrices {
   // Rows of the mass that are not zero, ascending. The other degrees of freedom follow these
   // statically, so that there are as many modes.
   std::vector<int> rows_with_mass() const;
-  // Place of a free degree of freedom; nothing where there is none of that name.
+  // Index of a free degree of freedom; nullopt when there is none of that name.
   std::optional<int> find(const DofLabel& label) const;
-  // Why none is, a sentence.
+  // Why there is none of that name, a sentence.
   std::string absence(const DofLabel& label) const;
 };
 
@@ -64,8 +64,8 @@ struct StructuralMatrices {
 StructuralMatrices read_structure(const MatrixFiles& files,
                                   const std::vector<DofLabel>& constraints = {});
 
-// The same of matrices at hand. Labels of the stiffness come first, those the mass has beside them
-// next; what one matrix does not have is zero there.
+// The same from given matrices. Labels of the stiffness come first, further ones of the mass next;
+// entries that one matrix does not have are zero.
 StructuralMatrices join_matrices(const LabelledMatrix& mass, const LabelledMatrix& stiffness,
                                  const LabelledMatrix* damping,
                                  const std::vector<DofLabel>& constraints = {},

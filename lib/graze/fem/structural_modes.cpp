@@ -30,12 +30,11 @@ void judge(const StructuralMatrices& structure, const Matrix& vectors, Structura
   modes.rigid = judged.rigid;
 }
 
-// Pivots below this share of their diagonal entries are those of a matrix that is singular but for
-// rounding.
+// Pivots below this share of their diagonal entries show a matrix that is singular within rounding.
 constexpr double kSingularPivot = 1e-12;
 
-// Shifts relative to the median of K_ii/M_ii. The first of those for a free structure is far above
-// the rounding of K, as seen by smooth shapes, and far below most frequencies.
+// Shifts relative to the median of K_ii/M_ii. The first one for a free structure is far above the
+// rounding of K for smooth shapes, and far below most frequencies.
 constexpr double kRelativeShifts[] = {0.0, -1e-10, -1e-8, -1e-6};
 
 double typical_square(const StructuralMatrices& structure) {
@@ -49,11 +48,11 @@ double typical_square(const StructuralMatrices& structure) {
   return *middle;
 }
 
-// Above this no combination of degrees of freedom without mass is free but for rounding, which the
-// factors of long chains of elements gather.
+// Above this no combination of degrees of freedom without mass is free within rounding, which
+// accumulates in the factors of long chains of elements.
 constexpr double kSafePivot = 1e-8;
 
-// K - shift M with its factors. Motions that neither mass nor stiffness holds, which reduced
+// K - shift M with its factors. Motions that have neither mass nor stiffness, which reduced
 // integration may leave (hourglasses), are held by a spring each, at one of their degrees of
 // freedom; no force of inertia moves them there.
 struct Shifted {
@@ -64,7 +63,7 @@ struct Shifted {
         matrix(structure.stiffness + structure.mass),
         factors(matrix) {}
 
-  // With a shift at which the matrix is safely positive definite.
+  // Factorises with a shift at which the matrix is safely positive definite.
   void factorise() {
     bool found = factorise_at_some();
     if (!found || factors.smallest_pivot().relative < kSafePivot) masses_.check_others();
@@ -83,12 +82,12 @@ struct Shifted {
     return factors.factorise(matrix) && factors.smallest_pivot().relative > kSingularPivot;
   }
 
-  // Without the idle motions, so that they are orthogonal to them, K's diagonal being the metric.
+  // Makes the vectors orthogonal to the idle motions, with K's diagonal as the metric.
   void remove_idle(Matrix& vectors) const {
     if (idle.cols() > 0)
       vectors -= product<double>(product<double>(idle, idle_forces().transpose()), vectors);
   }
-  // Without what forces do along the idle motions.
+  // Removes the components of forces along the idle motions.
   void balance_idle(Matrix& forces) const {
     if (idle.cols() > 0)
       forces -= product<double>(idle_forces(), transposed_product<double>(idle, forces));
@@ -121,8 +120,8 @@ struct Shifted {
                           .solve(Matrix::Identity(idle.cols(), idle.cols()));
   }
 
-  // At the last shift, where rigid bodies are held by their mass. False where a motion that is soft
-  // has mass or strain energy.
+  // At the last shift, where rigid bodies are held by their mass. False where a soft motion has
+  // mass or strain energy.
   bool hold_idle() {
     std::vector<int> rows;
     const int most = structure_.size() - masses_.rank();
@@ -170,8 +169,8 @@ void keep_lowest(StructuralModes& modes, int count) {
   modes.rigid = std::min(modes.rigid, count);
 }
 
-// One more product by S^-1 M, which has the rows without mass satisfied, and modes of what the
-// vectors span. False where they are not independent.
+// One more product by S^-1 M, after which the rows without mass are satisfied, and modes within the
+// span of the vectors. False where they are not independent.
 bool polish(const StructuralMatrices& structure, const Shifted& shifted, Matrix& vectors) {
   vectors = shifted.factors.solve(Matrix(structure.mass * vectors));
   if (!orthonormalise(structure.mass, vectors)) return false;
@@ -180,7 +179,7 @@ bool polish(const StructuralMatrices& structure, const Shifted& shifted, Matrix&
   return true;
 }
 
-// Where to count: in the widest gap, by ratio, between frequencies from the last mode wanted on.
+// Where to count: in the widest gap, by ratio, between frequencies from the last requested mode on.
 int widest_gap(const Vector& omega, int count) {
   int best = count;
   double ratio = 0.0;
@@ -194,7 +193,7 @@ int widest_gap(const Vector& omega, int count) {
   return best;
 }
 
-// True where as many modes were found as there are, as far as that can be told.
+// True when all modes were found, as far as that can be checked.
 bool are_complete(const StructuralMatrices& structure, Shifted& shifted, int rank, int wanted,
                   StructuralModes& modes) {
   const int below = widest_gap(modes.omega, wanted);
@@ -236,7 +235,7 @@ bool find_sparse(const StructuralMatrices& structure, Shifted& shifted, int rank
                  StructuralModes& modes) {
   if (shifted.shift < 0.0) adapt_shift(structure, shifted, rank);
   modes.shift = shifted.shift;
-  // A few more, so that there is a gap behind the last to count in.
+  // A few more, so that there is a gap beyond the last one to count in.
   const int sought = std::min(count + 4, rank - 1);
   for (int attempt = 0; attempt < 4; ++attempt) {
     std::optional<Matrix> vectors =
@@ -249,8 +248,8 @@ bool find_sparse(const StructuralMatrices& structure, Shifted& shifted, int rank
   return false;
 }
 
-// (K - s M)^-1 taken to s = 0 on what is no rigid-body motion: u = S^-1 (P b - s M u) contracts by
-// |s|/(w_1^2 + |s|).
+// (K - s M)^-1 taken to s = 0 on the complement of rigid-body motions: u = S^-1 (P b - s M u)
+// contracts by |s|/(w_1^2 + |s|).
 Matrix static_displacements(const StructuralMatrices& structure, const Shifted& shifted,
                             const StructuralModes& modes, const Matrix& loads) {
   const Matrix rigid = modes.shapes.leftCols(modes.rigid);
@@ -325,7 +324,7 @@ StructuralModes lowest_modes(const StructuralMatrices& structure, int count, con
             ? fmt::format(", {} lie below {:.6g} rad/s", *modes.counted, modes.counted_below)
             : ""));
   }
-  // Of all rigid-body modes, whether they are asked for or not.
+  // Uses all rigid-body modes, whether they were requested or not.
   if (loads.cols() > 0) add_static_displacements(structure, shifted, loads, modes);
   keep_lowest(modes, count);
   if (const double worst = modes.residuals.maxCoeff(); !(worst <= kLargestResidual))

@@ -17,7 +17,7 @@ bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' |
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-// As C++ writes numbers: 1.5D+3 and 1.5+3 become 1.5e+3.
+// The number in C++ form: 1.5D+3 and 1.5+3 become 1.5e+3.
 std::string plain_number(std::string_view part) {
   std::string text;
   for (std::size_t i = 0; i < part.size(); ++i) {
@@ -36,7 +36,7 @@ std::string plain_number(std::string_view part) {
 
 std::string read_bytes(const std::filesystem::path& file) {
   const std::string name = file.string();
-  std::error_code no_matter;  // what cannot be looked at cannot be opened either
+  std::error_code no_matter;  // ignored: a file that cannot be inspected cannot be opened either
   if (std::filesystem::is_directory(file, no_matter))
     throw FileError(fmt::format("{}: cannot be read as a matrix, it is a directory", name));
   if (is_named_pipe(file))

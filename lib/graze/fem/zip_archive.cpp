@@ -10,7 +10,7 @@
 namespace graze {
 namespace {
 
-// More than any matrix that fits the memory; an archive may claim what it likes.
+// More than any matrix that fits the memory; an archive may claim any size.
 constexpr zip_uint64_t kLargestMember = zip_uint64_t(1) << 34;
 
 struct Closing {
@@ -44,7 +44,7 @@ std::map<std::string, std::string> zip_members(const std::filesystem::path& file
       throw InputError(fmt::format("{}: member {} of the archive cannot be read", name, i + 1));
     const std::unique_ptr<zip_file_t, Closing> member(zip_fopen_index(archive.get(), index, 0));
     std::string text;
-    // As much as there is: the size that the archive claims is not believed.
+    // Reads as much as there is: the size that the archive claims is not trusted.
     for (std::vector<char> piece(1 << 20); member;) {
       const zip_int64_t got = zip_fread(member.get(), piece.data(), piece.size());
       if (got <= 0) break;

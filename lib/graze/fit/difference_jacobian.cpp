@@ -7,8 +7,8 @@
 namespace graze {
 namespace {
 
-// A derivative that its two steps give alike to this part serves a step of Gauss and Newton and an
-// uncertainty. Where the model has kinks that are finer than the noise no step does better.
+// A derivative whose two steps agree to this part is good enough for a Gauss-Newton step and an
+// uncertainty. Where the model has kinks finer than the noise no step is better.
 constexpr double kGood = 0.05;
 // Adjustments of a step, and then reductions, at most.
 constexpr int kAdjustments = 4, kReductions = 3;
@@ -24,7 +24,7 @@ class Column {
   Column(const Residuals& residuals, const Vector& at, Eigen::Index j, double low, double high)
       : residuals_(residuals), at_(at), j_(j), low_(low), high_(high) {
     const double size = std::max(std::abs(at[j]), std::isfinite(high - low) ? high - low : 0.0);
-    // A step that is lost in the parameter's own rounding tells nothing.
+    // A smaller step would be lost in the parameter's own rounding.
     least_ = std::sqrt(std::numeric_limits<double>::epsilon()) *
              (size > 0.0 ? std::abs(at[j]) + 1e-3 * size : 1.0);
   }
@@ -35,7 +35,7 @@ class Column {
     return std::min(std::max(step, std::min(least_, room)), room);
   }
 
-  // With this step; of second order, to one side where the other is out of bounds.
+  // The slope by this step; of second order, one-sided where the other side is out of bounds.
   std::optional<Vector> slope(double h) const {
     if (at_[j_] + h <= high_ && at_[j_] - h >= low_) {
       const auto more = value(h), less = value(-h);
@@ -61,7 +61,7 @@ class Column {
   double low_, high_, least_;
 };
 
-// The step whose change is as asked for, and the slope it gives.
+// The step that makes the requested change, and the slope with it.
 std::optional<Vector> fitting_slope(const Column& column, double change, double& step) {
   std::optional<Vector> slope;
   for (int i = 0; i < kAdjustments; ++i) {
@@ -84,7 +84,7 @@ std::optional<Slope> extrapolated(const Column& column, const Vector& slope, dou
   const std::optional<Vector> half = column.slope(0.5 * step);
   if (!half) return {};
   const double length = half->norm();
-  // The finer one errs by a third of the difference, what is extrapolated by less.
+  // The finer slope has an error of a third of the difference, the extrapolated one less.
   return Slope{(4.0 * *half - slope) / 3.0,
                length > 0.0 ? (*half - slope).norm() / (3.0 * length) : 0.0};
 }
@@ -116,7 +116,7 @@ std::optional<Slope> best_slope(const Column& column, double change, double& ste
 std::optional<DifferenceJacobian> difference_jacobian(const Residuals& residuals, const Vector& at,
                                                       const Vector& low, const Vector& high,
                                                       const Vector& steps, double change) {
-  // No better than the rounding of a step that is as small as it may be.
+  // At least the rounding with the smallest allowed step.
   DifferenceJacobian jacobian{
       {}, steps, std::pow(std::numeric_limits<double>::epsilon(), 2.0 / 3.0)};
   for (Eigen::Index j = 0; j < at.size(); ++j) {

@@ -14,11 +14,11 @@
 namespace graze {
 namespace {
 
-// Of a curve in a picture.
+// Points of a curve in a picture.
 constexpr Eigen::Index kCurvePoints = 801;
 
-// The unit in which each value's deviation is counted: its uncertainty where that is known, else
-// the size of its series, so that sums of squares are pure numbers.
+// The unit of each value's deviation: its uncertainty where that is known, else the size of its
+// series, so that sums of squares are pure numbers.
 Vector deviation_units(const Measurements& measurements) {
   const auto rows = static_cast<Eigen::Index>(measurements.rows());
   Vector units(measurements.values());
@@ -44,7 +44,7 @@ Vector measured_values(const Measurements& measurements) {
   return values;
 }
 
-// A positive parameter that may be anything over more than a decade.
+// Whether the parameter is positive with a range of more than a decade.
 bool is_logarithmic(const SoughtParameter& parameter) {
   return parameter.low > 0.0 && std::isfinite(parameter.high) &&
          parameter.high > 10.0 * parameter.low;
@@ -190,7 +190,7 @@ class Fit {
     }
   }
 
-  // Units that hold an exponent which is itself fitted are written with its letter.
+  // In units with an exponent that is itself fitted, that exponent is written as a letter.
   void name_units(const Scene& fitted) {
     for (FittedParameter& parameter : result_.parameters) {
       if (!parameter_value(fitted, parameter.name) ||

@@ -18,8 +18,8 @@
 namespace graze {
 namespace {
 
-// A motion whose impacts come late is followed twice as long as the record lasts, so that near its
-// end they still have a time of their own.
+// A motion is followed for this many times the length of the record, so that late impacts near its
+// end still have different times.
 constexpr double kLonger = 2.0;
 
 const std::vector<double>& coefficients(const Scene& scene) {
@@ -100,7 +100,7 @@ std::optional<Vector> FitModel::predict_at(const Vector& values, const Vector& a
                                                              : responses(values, at);
 }
 
-// Before it is clamped: what is clamped tells nothing of the coefficients.
+// Without clamping: clamped values do not depend on the coefficients.
 std::optional<Vector> FitModel::restitutions(const Vector& values, const Vector& speeds) const {
   std::vector<double> list = coefficients(scene_);
   for (std::size_t j = 0; j < parameters_.size(); ++j)
@@ -174,7 +174,7 @@ double FitModel::quantity(const MeasuredSeries& series, const System& system,
   if (series.quantity == Quantity::kForce) return observed.forces[series.index];
   const auto i = static_cast<std::size_t>(series.index);
   const Stop& stop = system.stops[i];
-  // The row points into the stop, u the way of the structure.
+  // Sign of u: the row points into the stop.
   const double way = scene_.stops[i].side == Side::kAbove ? 1.0 : -1.0;
   const double towards = stop.row.dot(observed.q);
   switch (series.quantity) {
@@ -235,7 +235,7 @@ std::optional<Vector> FitModel::impact_times(const Vector& values) {
   Vector predicted = Vector::Constant(measured.size(), observation.end - record_start_);
   missing_ = measurements_.rows();
   observation.impact = [&](int stop, double time) {
-    // Before the clock of the record runs nothing is recorded.
+    // Impacts before the start of the record are not recorded.
     if (time < record_start_) return true;
     auto rows = wanted.find(wanted.count(stop) ? stop : -1);
     if (rows == wanted.end() || rows->second.empty()) return true;

@@ -13,8 +13,8 @@ namespace graze {
 namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-// From one unit to the next (mm to m, kN to N, ms to s) it is a thousand: more than a hundred is no
-// question of parameters any more.
+// From one unit to the next (mm to m, kN to N, ms to s) the factor is a thousand: parameters do not
+// explain more than a hundred.
 constexpr double kFarOff = 100.0;
 
 std::vector<std::string> restitution_names(const Scene& scene) {
@@ -43,7 +43,7 @@ void check_limit(const Scene& scene, const SoughtParameter& parameter, double va
   }
 }
 
-// A response is that of the motion, which begins at 0.
+// A response is measured over the motion, which begins at 0.
 void check_record_start(const Measurements& measurements, const SoughtParameter& parameter) {
   if (parameter.name != kRecordStart || measurements.kind != MeasurementKind::kResponse) return;
   const double first = measurements.at.minCoeff();
@@ -57,7 +57,7 @@ void check_record_start(const Measurements& measurements, const SoughtParameter&
 
 double size_of(const Vector& values) { return values.cwiseAbs().maxCoeff(); }
 
-// Smallest and largest sizes of each series among what the model says.
+// Smallest and largest sizes of each series of the model.
 class ModelSizes {
  public:
   explicit ModelSizes(const Measurements& measurements)
@@ -166,7 +166,7 @@ void require_enough(const Measurements& measurements,
 void require_comparable(const Measurements& measurements,
                         const std::vector<SoughtParameter>& parameters, const Vector& start,
                         FitModel& model, const StopSignal& stop) {
-  // Restitutions were looked at when they were read.
+  // Restitutions were checked when they were read.
   if (measurements.kind == MeasurementKind::kRestitution) return;
   ModelSizes sizes(measurements);
   bool evaluated = false, met = false;

@@ -1,4 +1,4 @@
-// What is asked of a fit, and what comes of it.
+// Options and results of a fit.
 #pragma once
 
 #include <functional>
@@ -12,14 +12,15 @@
 
 namespace graze {
 
-// A parameter that is sought between two values; infinite where there are none.
+// A fitted parameter and its limits; infinite where there are none.
 struct SoughtParameter {
   std::string name;
   double low = 0.0, high = 0.0;
 };
 
 struct FitOptions {
-  std::vector<SoughtParameter> parameters;  // empty: of restitutions, all coefficients of the scene
+  std::vector<SoughtParameter> parameters;  // empty: for restitutions, all coefficients of the
+                                            // scene
   bool global = false;
   long long max_evaluations = 0;  // of the model
   std::optional<double> closure_speed{};
@@ -31,7 +32,7 @@ struct FitOptions {
 
 enum class FitEnd {
   kFitted,
-  kNotDetermined,  // the data do not tell all parameters
+  kNotDetermined,  // the data do not determine all parameters
   kNotConverged,
   kBudget,
   kInterrupted
@@ -41,9 +42,9 @@ struct FittedParameter {
   std::string name, unit;
   double start = 0.0, low = 0.0, high = 0.0;  // where the search began, its limits
   double value = 0.0;
-  bool at_limit = false;  // held there: the sum of squares would fall beyond it
-  // Standard uncertainty and the ends of the 95 % interval; nothing for what is held at a limit or
-  // not determined.
+  bool at_limit = false;  // held there: the sum of squares would be smaller beyond it
+  // Standard uncertainty and the ends of the 95 % interval; nullopt when the parameter is held at a
+  // limit or not determined.
   std::optional<double> uncertainty{};
   double interval_low = 0.0, interval_high = 0.0;
 };
@@ -52,7 +53,7 @@ struct FittedParameter {
 struct FittedSeries {
   std::string name, unit;
   Vector measured, predicted, uncertainty;  // one per row; uncertainty empty where it is unknown
-  double noise = 0.0;  // standard deviation of the values: of the residuals, or as it is known
+  double noise = 0.0;  // standard deviation of the values: from the residuals, or as given
 };
 
 struct FitResult {
@@ -61,11 +62,11 @@ struct FitResult {
   std::string method;   // in words
   MeasurementKind kind = MeasurementKind::kResponse;
   std::vector<FittedParameter> parameters;
-  // Of the parameters, n x n; NaN with those that have no uncertainty.
+  // Of the parameters, n x n; NaN for those without uncertainty.
   Matrix correlations;
   Vector at;  // as measured
   std::vector<FittedSeries> series;
-  // The model at more places, for a picture: where, and one column a series.
+  // The model at more places, for a picture: the places, and one column for each series.
   Vector curve_at;
   Matrix curve;
   double sum_of_squares = 0.0;  // in units of the uncertainties; of the first series' where unknown

@@ -24,7 +24,7 @@ JacobianFactors::JacobianFactors(const Matrix& jacobian, double error)
   left_ = factors.left.topRows(jacobian.rows());
   values_ = std::move(factors.values);
   right_ = std::move(factors.right);
-  // Columns in error by e each move a singular value by at most e sqrt(n).
+  // Errors e of the columns change a singular value by at most e sqrt(n).
   const double rounding =
       static_cast<double>(std::max(jacobian.rows(), n)) * std::numeric_limits<double>::epsilon();
   const double known = std::max(error, rounding) * std::sqrt(static_cast<double>(n));
@@ -45,7 +45,7 @@ Matrix JacobianFactors::inverse_normal() const {
 }
 
 std::vector<std::vector<Eigen::Index>> JacobianFactors::untold() const {
-  // Of a unit vector of n entries one of this size or less is no part worth a word.
+  // Entries of a unit vector of at most this size are not reported.
   constexpr double kPart = 0.1;
   std::vector<std::vector<Eigen::Index>> directions;
   for (Eigen::Index k = rank_; k < values_.size(); ++k) {

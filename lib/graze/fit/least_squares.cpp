@@ -15,8 +15,7 @@ namespace graze {
 namespace {
 
 constexpr double kEps = std::numeric_limits<double>::epsilon();
-// Where steps of Gauss and Newton come to a stand before the minimum, it is sought directly, so
-// often at most.
+// Largest number of direct searches for the minimum, where Gauss-Newton steps stall before it.
 constexpr int kMostSearches = 2;
 
 class BoundedSolver : private ceres::CostFunction, private ceres::IterationCallback {
@@ -30,7 +29,7 @@ class BoundedSolver : private ceres::CostFunction, private ceres::IterationCallb
     steps_ = Vector::Zero(problem.start.size());
     for (Eigen::Index j = 0; j < steps_.size(); ++j) {
       const double range = problem.high[j] - problem.low[j];
-      // Adjusted before it is used; a hundredth of what is known of the parameter to begin with.
+      // Adjusted before it is used; initially a hundredth of the parameter's range or size.
       steps_[j] = 0.01 * (std::isfinite(range) ? range : std::max(std::abs(problem.start[j]), 1.0));
     }
     units_ = steps_.unaryExpr([](double step) { return std::ldexp(1.0, std::ilogb(step)); });
@@ -73,22 +72,22 @@ class BoundedSolver : private ceres::CostFunction, private ceres::IterationCallb
     result_.residuals = found.residuals;
   }
 
-  // Gauss and Newton.
+  // Finishes by Gauss-Newton steps.
   void finish() {
     result_.method += result_.method.empty() ? "linear least squares" : ", then Gauss-Newton";
     for (; !descend(); search_directly()) {
       result_.end = is_over() ? why_over() : LeastSquaresEnd::kNotConverged;
       if (is_over() || result_.jacobian.matrix.size() == 0) return;
       if (searches_ < kMostSearches) continue;
-      // A minimum at a kink: found to a part of the uncertainties, but no derivative of it is
-      // zero. One that asks for more than these is none.
+      // A minimum at a kink is found to a part of the uncertainties, but its derivative is not
+      // zero. If the remaining step exceeds these, it is no minimum.
       if (result_.last_step > residual_noise(problem_, result_.residuals)) return;
       break;
     }
     result_.end = LeastSquaresEnd::kConverged;
   }
 
-  // As far as Ceres' steps lead; whether that is the minimum.
+  // Takes Ceres' steps; returns whether they lead to the minimum.
   bool descend() {
     is_last_ = false;
     tried_ = result_.parameters;
@@ -106,8 +105,8 @@ class BoundedSolver : private ceres::CostFunction, private ceres::IterationCallb
     options.linear_solver_type = ceres::DENSE_QR;
     options.logging_type = ceres::SILENT;
     options.callbacks = {this};
-    // Gauss and Newton's own steps, but for directions of less than 1e-5 of a column's length,
-    // which differences do not tell from none, and halved where the sum does not fall.
+    // Gauss-Newton steps, without directions of less than 1e-5 of a column's length, which
+    // differences cannot resolve, and halved where the sum does not fall.
     options.initial_trust_region_radius = problem_.linear ? 1.0 / kEps : 1e10;
     options.min_lm_diagonal = options.min_line_search_step_size = 1e-200;
     options.line_search_interpolation_type = ceres::BISECTION;
@@ -117,14 +116,14 @@ class BoundedSolver : private ceres::CostFunction, private ceres::IterationCallb
     return is_last_;
   }
 
-  // Ceres holds what it minimises to be constant; what is counted and kept on the way is not.
+  // Ceres requires a constant functor, but evaluations are counted and kept on the way.
   bool Evaluate(double const* const* at, double* residuals, double** derivative) const override {
     return const_cast<BoundedSolver*>(this)->try_at(
         Eigen::Map<const Vector>(at[0], steps_.size()).cwiseProduct(units_), residuals, derivative);
   }
 
-  // The residuals and, only where Ceres has come to stay, their derivative: zero, which ends it,
-  // after the last step and where there is none.
+  // The residuals and, only when Ceres has accepted the step, their derivative: zero, which ends
+  // the iteration, after the last step and where it does not exist.
   bool try_at(const Vector& p, double* residuals, double** derivative) {
     if (p != tried_) {
       const std::optional<Vector> found = counted_(p);
@@ -143,7 +142,7 @@ class BoundedSolver : private ceres::CostFunction, private ceres::IterationCallb
     return true;
   }
 
-  // Without parameters on a limit beyond which the sum would fall.
+  // The derivative without parameters on a limit beyond which the sum would fall.
   Matrix inward_derivative() {
     Matrix inward = result_.jacobian.matrix;
     const Vector gradient = inward.transpose() * result_.residuals;
@@ -155,7 +154,7 @@ class BoundedSolver : private ceres::CostFunction, private ceres::IterationCallb
     }
     const JacobianFactors factors(inward, result_.jacobian.error);
     result_.last_step = (inward * factors.step(result_.residuals)).norm();
-    // What one value's noise is worth, or where there is none, the rounding of the derivative.
+    // Compared with the noise of one value or, without noise, with the rounding of the derivative.
     is_last_ =
         result_.last_step <= std::max(kNoiseStep * residual_noise(problem_, result_.residuals),
                                       std::pow(kEps, 2.0 / 3.0) * problem_.size);
@@ -198,7 +197,7 @@ class BoundedSolver : private ceres::CostFunction, private ceres::IterationCallb
   const LeastSquaresOptions& options_;
   const Residuals counted_;
   Vector steps_;
-  Vector units_;  // of what Ceres changes: powers of two, so that limits stay what they are
+  Vector units_;  // of Ceres' unknowns: powers of two, so that limits are exact
   Vector tried_, tried_residuals_;  // the last point that Ceres asked for
   bool is_last_ = false;            // the step from result_ is too short for another
   int searches_ = 0;

@@ -162,7 +162,7 @@ class Reader {
     const std::size_t speed = column("speed", "m/s"), restitution = column("restitution", "1");
     result_.at = numbers(speed, "m/s");
     add_series("restitution", "", restitution);
-    // The law lies between 0 and 1; a measurement may miss it by as much as it spans.
+    // The law lies between 0 and 1; measurements may be out of this range by its width.
     constexpr double kLeast = -1.0, kMost = 2.0;
     for (std::size_t i = 0; i < kept_.size(); ++i) {
       const auto k = static_cast<Eigen::Index>(i);
@@ -287,7 +287,7 @@ class Reader {
     return options_.columns;
   }
 
-  // Values of several columns are weighed against each other by their uncertainties.
+  // Values of several columns need uncertainties as weights.
   void refuse_mixed_uncertainties() const {
     for (const auto& [column, value] : options_.uncertainties) {
       const auto is_that = [&, name = column](const MeasuredSeries& s) { return s.name == name; };
@@ -322,7 +322,7 @@ class Reader {
   const DataTable& table_;
   const Scene& scene_;
   const MeasurementOptions& options_;
-  std::string time_;  // the name of its column; empty: there is none
+  std::string time_;  // the name of its column; empty if there is none
   std::set<std::size_t> used_;
   std::vector<std::size_t> kept_;  // rows of the table
   Measurements result_;

@@ -1,6 +1,6 @@
-// What was measured, in one of three kinds that the names of the columns tell apart:
+// Measurements of one of three kinds, which the names of the columns distinguish:
 //
-//   restitution    speed, restitution: the approach speed v, m/s, and the part of it given back
+//   restitution    speed, restitution: the approach speed v, m/s, and the coefficient at that speed
 //   impact times   time, and stop where there are several: the instants of impacts, s
 //   response       time, and columns of a motion: q1 .., qdot1 .. (modal coordinates and rates),
 //                  gap1 .., force1 .., displacement1 .., velocity1 .., penetration1 .. at the
@@ -8,7 +8,7 @@
 //
 // A column `sigma` gives each value its standard uncertainty, `sigma_force1` that of one of several
 // columns. A table with a column `kind`, as `graze simulate --out` writes its events, holds impact
-// times: rows of other kinds than impact and contact are passed over.
+// times: rows of other kinds than impact and contact are skipped.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ namespace graze {
 
 enum class MeasurementKind { kRestitution, kImpactTimes, kResponse };
 
-// What a column of a response shows.
+// The quantity in a column of a response.
 enum class Quantity {
   kCoordinate,    // q_j, kg^1/2 m
   kRate,          // q_j', kg^1/2 m/s
@@ -33,8 +33,8 @@ enum class Quantity {
   kForce,         // of a stop on the structure, N, >= 0
   kDisplacement,  // u at a stop, m
   kVelocity,      // u' at a stop, m/s
-  kPenetration,   // by which a compliant stop is overrun, m, >= 0
-  kProbe          // what a probe of the scene sees, in its unit
+  kPenetration,   // depth beyond the surface of a compliant stop, m, >= 0
+  kProbe          // the value of a probe of the scene, in its unit
 };
 
 // One measured column.
@@ -53,20 +53,20 @@ struct Measurements {
   // One per row: time, s (response), approach speed, m/s (restitution), or the number of the impact
   // at its stop, from 1.
   Vector at;
-  std::vector<int> stops;  // of impact times: index from 0; -1: any
+  std::vector<int> stops;  // for impact times: index from 0; -1: any
   std::vector<MeasuredSeries> series;
   std::vector<SourceLocation> places;  // of the first series' value in each row
   std::vector<std::string> unused;     // columns that no parameter is fitted to
 
   std::size_t rows() const { return places.size(); }
-  // In all series.
+  // Number of values in all series.
   Eigen::Index values() const { return static_cast<Eigen::Index>(rows() * series.size()); }
   bool knows_uncertainty() const { return !series.empty() && series[0].uncertainty.size() > 0; }
 };
 
 struct MeasurementOptions {
-  std::vector<std::string> columns;  // of a response, those that are fitted; empty: all
-  // Standard uncertainty by column, in place of what the file says; name "" for every column.
+  std::vector<std::string> columns;  // for a response, those that are fitted; empty: all
+  // Standard uncertainty by column, which replaces that of the file; name "" for every column.
   std::vector<std::pair<std::string, double>> uncertainties;
 };
 

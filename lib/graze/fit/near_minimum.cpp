@@ -9,14 +9,14 @@
 namespace graze {
 namespace {
 
-// Both in parts of the box, a side of which is 1. A tenth: whoever names limits knows the parameter
-// some ten times better. From a thousandth on Gauss and Newton's steps are quicker.
+// Both relative to the box, a side of which is 1. A tenth, since limits are usually some ten times
+// as wide as the knowledge of the parameter. Below a thousandth Gauss-Newton steps are faster.
 constexpr double kFirstStep = 0.1, kNear = 1e-3;
-// The part of the sum of squares by which a step has to lower it. Of m values with noise, m/100 are
-// left then, some standard uncertainties of the parameters: near enough for Gauss and Newton.
+// The part of the sum of squares by which a step has to lower it. With m noisy values an excess of
+// m/100 is left then, some standard uncertainties of the parameters: near enough for Gauss-Newton.
 constexpr double kFlat = 1e-2;
 
-// From the unit box to the parameters.
+// Maps the unit box to the parameters.
 class Box {
  public:
   explicit Box(const LeastSquaresProblem& problem)
@@ -48,12 +48,12 @@ class Box {
   Vector low_, high_;
 };
 
-// A sum of squares as NLopt sees it.
+// A sum of squares as an NLopt objective.
 struct Search {
   std::function<Vector(const Vector&)> parameters;  // of NLopt's unknowns
   const Residuals& residuals;
   const std::function<bool()>& over;
-  double highest;  // what stands for a model without value: NLopt takes no NaN
+  double highest;  // value of a model that cannot be evaluated: NLopt accepts no NaN
   nlopt_opt running = nullptr;
   NearMinimum best{};
   double least = HUGE_VAL;
@@ -96,13 +96,13 @@ void run(nlopt_algorithm algorithm, Search& search, Vector unit, long long evalu
   nlopt_set_min_objective(optimiser.get(), sum_at, &search);
   nlopt_set_maxeval(optimiser.get(), static_cast<int>(std::min(evaluations, 1'000'000'000LL)));
   nlopt_set_initial_step1(optimiser.get(), kFirstStep);
-  // A search of the whole box that finds nothing better for a while is not done.
+  // For a search of the whole box, no progress for a while is no reason to end.
   if (algorithm != NLOPT_GN_DIRECT_L) {
     nlopt_set_xtol_abs1(optimiser.get(), kNear);
     nlopt_set_ftol_rel(optimiser.get(), kFlat);
   }
   double value = 0.0;
-  // Its word is not asked for: the best was kept on the way.
+  // NLopt's own result is not used: the best values were kept on the way.
   nlopt_optimize(optimiser.get(), unit.data(), &value);
 }
 
@@ -114,7 +114,7 @@ NearMinimum near_minimum(const LeastSquaresProblem& problem, const Residuals& re
   Search search{[&](const Vector& unit) { return box.parameters(unit); }, residuals, options.over,
                 highest_sum(problem)};
   const Vector start = box.unit(problem.start);
-  // As it is, and not as the box has it after rounding.
+  // The start itself, not its rounded image in the box.
   if (const std::optional<Vector> r = residuals(problem.start))
     search.start_from(problem.start, *r);
   std::string method;

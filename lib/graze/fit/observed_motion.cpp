@@ -32,7 +32,7 @@ class Follower {
     while (proceed()) {
     }
     if (!failure_.empty() || ended_) return failure_;
-    // What rounding of the end has left over.
+    // Instants left over by the rounding of the end.
     while (next_ < observation_.times.size()) hand_out_now();
     return "";
   }
@@ -84,7 +84,7 @@ class Follower {
     return false;
   }
 
-  // `s` seconds after the start of the arc flown last.
+  // `s` seconds after the start of the last arc.
   void hand_out(const ContactPhase<double>& phase, double s) {
     observed_.index = next_++;
     observed_.q.resize(system_.modes());

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kTail = 0.025;     // on either side of a 95 % interval
 constexpr double kUnlikely = 0.01;  // what is less likely is said
-// The one in a hundred of either sign, of a normal distribution.
+// A deviation of a normal distribution that is exceeded once in a hundred, on either side.
 constexpr double kUnlikelyDeviation = 2.576;
 
 std::vector<Eigen::Index> free_parameters(const FitResult& result) {
@@ -54,7 +54,8 @@ void set_uncertainties(const Matrix& covariance, const std::vector<Eigen::Index>
   }
 }
 
-// Of neighbouring residuals; of m that are independent it is normal with deviation 1/sqrt(m).
+// Correlation of neighbouring residuals; for m independent ones it is normal with deviation
+// 1/sqrt(m).
 double neighbour_correlation(const Vector& residuals) {
   const Eigen::Index pairs = residuals.size() - 1;
   return residuals.head(pairs).dot(residuals.tail(pairs)) / residuals.squaredNorm();
@@ -64,7 +65,7 @@ void warn_of_neighbours(const Vector& residuals, FitResult& result) {
   const Eigen::Index rows = result.at.size();
   for (std::size_t k = 0; k < result.series.size(); ++k) {
     const Vector part = residuals.segment(static_cast<Eigen::Index>(k) * rows, rows);
-    // Of a few values nothing can be said, and rounding has a pattern of its own.
+    // A few values show nothing, and rounding has a pattern of its own.
     if (rows < 20 || !(part.norm() > 1e-9 * std::sqrt(static_cast<double>(rows)))) continue;
     const double correlation = neighbour_correlation(part);
     if (correlation * std::sqrt(static_cast<double>(rows)) <= kUnlikelyDeviation) continue;

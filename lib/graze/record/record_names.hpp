@@ -1,4 +1,4 @@
-// Names of the records that results come in, for who only hands them on.
+// Declarations of the record types, for code that only passes them on.
 #pragma once
 
 namespace graze {

@@ -15,15 +15,15 @@
 namespace graze {
 namespace {
 
-// A table of up to twice as many events and one shows them all.
+// Number of first and last events; a table of up to twice as many and one shows them all.
 constexpr std::size_t kShown = 10;
 
-// By how much the energy balance of a sound run may miss, J. Rounding is multiplied by up to 2^8
+// Largest defect of the energy balance of a correct run, J. Rounding is multiplied by up to 2^8
 // where motion is written about its forced response or rest position (exact_flow_impl.hpp), and
-// energies are squares: 2^16. The flights, one per impact and one per forcing period at least, err
-// to either side, so that their errors add up like the root of their number. A structure that turns
-// is integrated in steps of a quarter of its quickest oscillation, each to kStepTolerance of the
-// velocities, whose squares may all err to one side.
+// energies are squares: 2^16. The flights, one per impact and one per forcing period at least, have
+// errors of either sign, so that these add up like the root of their number. On a rotating hub the
+// motion is integrated in steps of a quarter of its fastest oscillation, each to kStepTolerance of
+// the velocities, whose squares may all have errors of one sign.
 double balance_rounding(const System& system, const Simulation& run) {
   constexpr double kAmplification = 0x1p16;
   const double periods = system.forcing() ? run.end_time / system.period() : 0.0;
@@ -34,9 +34,9 @@ double balance_rounding(const System& system, const Simulation& run) {
          run.energy->size();
 }
 
-// By how much a gap may fall below zero in a sound run, m: the forced response that motion is
-// written about is at most 2^12 times as large as the gap (exact_flow_impl.hpp), and rounded.
-// Infinite where neither gap nor forcing tell what is large.
+// How far a gap may fall below zero in a correct run, m: the forced response about which motion is
+// written is at most 2^12 times as large as the gap (exact_flow_impl.hpp), and rounded. Infinite
+// without a gap or forcing as a scale.
 double gap_rounding(const System& system) {
   constexpr double kAmplification = 0x1p12;
   double reach = 0.0;
@@ -64,7 +64,7 @@ long long EventExcerpt::left_out() const {
 
 EnergyEntries energy_entries(const System& system, const EnergyBalance& balance) {
   EnergyEntries entries;
-  // On a hub the torque and the weight.
+  // On a hub the works of the torque and the weight.
   const Rotation* hub = system.rotation();
   if (system.forcing() || (hub && hub->torque)) entries.forcing = balance.work.forcing;
   if (system.load() || (hub && hub->weight)) entries.load = balance.work.load;
@@ -87,7 +87,7 @@ double relative_defect(const EnergyBalance& balance) {
 std::vector<std::string> simulation_warnings(const System& system, const Simulation& run) {
   const RunTotals& totals = run.totals;
   std::vector<std::string> warnings;
-  // Elastic impacts on several stops at once err by a few roundings of the energy each.
+  // Elastic impacts on several stops at once have errors of a few roundings of the energy each.
   constexpr double kRoundings = 16.0;
   const double energy = std::fmax(mechanical_energy(system, run.final.q, run.final.qdot),
                                   std::fmax(totals.energy_lost, totals.energy_added));
@@ -174,12 +174,12 @@ Outcome orbit_outcome(const FoundOrbits& found, const FinderOptions& options, St
 
 namespace {
 
-// What special points are located to, as a part of the parameter's range.
+// Accuracy of located special points, relative to the parameter's range.
 constexpr double kLocated = 1e-10;
 
-// Points of the branches that are orbits of the system with a multiplier on the unit circle, and
-// how many orbits there are. At a special point, of this or another branch, and beside one that is
-// as it should be, for there a multiplier passes the circle; likewise at the end of a branch.
+// Number of points of the branches that are orbits with a multiplier on the unit circle, and number
+// of orbits. Not counted are special points, of this or another branch, and points beside an orbit
+// with known stability, where a multiplier crosses the circle; likewise the ends of a branch.
 std::pair<long long, long long> orbits_of_open_stability(const OrbitBranches& traced,
                                                          double range) {
   const auto is_special = [&](const OrbitBranch& branch, std::size_t i) {
@@ -201,7 +201,7 @@ std::pair<long long, long long> orbits_of_open_stability(const OrbitBranches& tr
   return {open, orbits};
 }
 
-// The rest of a sentence, for starts that led to no branch.
+// The end of a sentence, for starts that led to no branch.
 std::string why_nothing_was_traced(const OrbitBranches& traced) {
   if (traced.virtual_starts > 0)
     return "; every solution of the equations that was met penetrates a stop or impacts at "

@@ -1,4 +1,4 @@
-// The results of the commands as values: what was computed and what made it. Reports format them.
+// The results of the commands as values: what was computed, and how. Reports format them.
 #pragma once
 
 #include <deque>
@@ -26,8 +26,8 @@ struct Outcome {
   std::string message;  // a sentence unless all went well
 };
 
-// Of work over many values that was stopped: "interrupted" or "budget" with what is kept of it, of
-// so many `things` ("values"); nothing where it was not.
+// The outcome of work over many values that was stopped: "interrupted" or "budget", with the number
+// of `things` ("values") kept; nullopt when it was not stopped.
 std::optional<Outcome> stopped_outcome(StopReason stopped, std::size_t kept, std::size_t asked,
                                        const char* things);
 
@@ -47,14 +47,14 @@ struct CheckRecord {
 class EventExcerpt {
  public:
   EventExcerpt() = default;
-  // As it was read from where it was written.
+  // As read back from a record.
   EventExcerpt(long long count, std::vector<Event> first, std::deque<Event> last)
       : count_(count), first_(std::move(first)), last_(std::move(last)) {}
 
   void add(const Event& event);
   long long count() const { return count_; }
   const std::vector<Event>& first() const { return first_; }
-  // Those after the first ones, all or only the last.
+  // The events after the first ones, all or only the last.
   const std::deque<Event>& last() const { return last_; }
   long long left_out() const;
 
@@ -64,13 +64,13 @@ class EventExcerpt {
   std::deque<Event> last_;
 };
 
-// A run may be longer than memory: its events and samples go to files as they come, and here stands
-// only what is shown of them.
+// A run may be longer than memory: its events and samples go to files as they come; this holds only
+// what is shown of them.
 struct SimulationRecord {
   RunInfo info;
   System system;
   std::vector<ProbeRow> probes{};
-  std::vector<MeasuredPlace> places{};  // at which it was measured; empty unless that was asked for
+  std::vector<MeasuredPlace> places{};  // at which it was measured; empty unless requested
   Simulation run;
   EventExcerpt excerpt;                    // empty unless recorded
   std::vector<Event> events;               // the end of the run, for pictures
@@ -102,20 +102,20 @@ struct BranchRecord {
   std::vector<std::string> warnings;
   Outcome outcome;
   BranchAmplitudes amplitudes{};  // empty unless they were asked for
-  std::optional<Shown> shown{};   // of them, in a picture; else impact speeds
+  std::optional<Shown> shown{};   // amplitude shown in a picture; else impact speeds
 };
 
-// What a balance holds of the effects that the system has, J: no load without gravity, no impacts
+// The entries of a balance for effects that the system has, J: no load without gravity, no impacts
 // without rigid stops, no dissipation without damping.
 struct EnergyEntries {
   std::optional<double> forcing, load, constraint, impacts, dissipation, contact;
 };
 EnergyEntries energy_entries(const System& system, const EnergyBalance& balance);
-// The balance's defect as a part of its largest entry.
+// The defect of the balance relative to its largest entry.
 double relative_defect(const EnergyBalance& balance);
 
 Outcome simulation_outcome(const Simulation& run);
-// What happened in the run that its user should know of.
+// Warnings about a run for its user.
 std::vector<std::string> simulation_warnings(const System& system, const Simulation& run);
 Outcome orbit_outcome(const FoundOrbits& found, const FinderOptions& options, StopReason stopped);
 Outcome branch_outcome(const OrbitBranches& traced, const BranchOptions& options);

@@ -1,5 +1,5 @@
-// What is seen of motions: impacts, or states once a forcing period; and the Poincare section of
-// one run.
+// Sections of motions: impacts, or states once a forcing period; and the Poincare section of one
+// run.
 #pragma once
 
 #include <utility>
@@ -17,18 +17,18 @@ enum class DiagramSection {
 struct SectionPoint {
   double time = 0.0;  // s
   int stop = 0;       // from 0
-  // Of an impact forcing phase (rad) and speed (m/s); of a stroboscopic section displacement
+  // For an impact forcing phase (rad) and speed (m/s); on a stroboscopic section displacement
   // towards the stop (m) and velocity (m/s).
   double across = 0.0, up = 0.0;
 };
 
-// As a run goes. Of a stroboscopic section each sample handed in is one.
+// Collected during a run. On a stroboscopic section each sample is a point.
 class RunSection {
  public:
   RunSection() = default;
-  // From a time on, s.
+  // `from`: start of the section, s.
   RunSection(DiagramSection kind, double from) : kind_(kind), from_(from) {}
-  // As it was read from where it was written.
+  // As read back from a record.
   RunSection(DiagramSection kind, double from, std::vector<SectionPoint> points, long long left_out)
       : kind_(kind), from_(from), points_(std::move(points)), left_out_(left_out) {}
 
@@ -38,7 +38,7 @@ class RunSection {
   DiagramSection kind() const { return kind_; }
   double from() const { return from_; }
   const std::vector<SectionPoint>& points() const { return points_; }
-  // There is room for a million.
+  // Number of points beyond the limit of a million.
   long long left_out() const { return left_out_; }
 
  private:

@@ -1,4 +1,4 @@
-// The result of a share of the work: what its journal holds by now.
+// The result of a share of the work: the present contents of its journal.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ struct ShareRecord {
   Outcome outcome;
 };
 
-// "complete", or how it was stopped.
+// Outcome "complete", or how it was stopped.
 ShareRecord share_record(const Journal& journal, StopReason stopped);
 
 }  // namespace graze

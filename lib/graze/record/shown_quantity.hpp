@@ -25,7 +25,7 @@ enum class ShownQuantity {
   kImpactRate
 };
 
-// At a place of a list, or at its stop.
+// A quantity at a place of a list, or at its stop.
 struct Shown {
   ShownQuantity quantity = ShownQuantity::kAmplitude;
   std::size_t place = 0;
@@ -39,12 +39,12 @@ inline constexpr ShownQuantity kShownQuantities[] = {
 
 const char* name_of(ShownQuantity quantity);  // "peak-velocity"
 bool is_of_stop(ShownQuantity quantity);
-// Forces and impacts are of stops; the largest velocity is of what is not a velocity already.
+// Forces and impacts exist at stops; the largest velocity exists unless the place is a velocity.
 bool exists_at(ShownQuantity quantity, const MeasuredPlace& place);
-// Nothing where it does not exist: no force where impacts have none.
+// Returns nullopt when it does not exist: no force where there are rigid impacts.
 std::optional<double> shown_value(const Shown& shown, const std::vector<MeasuredPlace>& places,
                                   const Amplitudes& measured);
-// Of an axis: what it is and where, and its SI unit.
+// The title of an axis, with quantity and place, and its SI unit.
 std::string shown_title(const Shown& shown, const std::vector<MeasuredPlace>& places);
 std::string shown_unit(const Shown& shown, const std::vector<MeasuredPlace>& places);
 

@@ -13,7 +13,7 @@ namespace graze {
 
 namespace {
 
-// By speed: the j-th of them is continuous along a branch whatever impacts come and go.
+// Sorted by speed: the j-th is continuous along a branch even where impacts come and go.
 std::vector<double> chatter_heights(const Orbit& orbit) {
   const double fastest = leading_impact(orbit).speed;
   std::vector<double> heights;
@@ -27,7 +27,7 @@ std::vector<double> impact_heights(const Orbit& orbit) {
   if (orbit.sticks() && !orbit.impacts.empty()) return chatter_heights(orbit);
   std::vector<double> heights;
   for (const OrbitImpact& impact : orbit.impacts) heights.push_back(impact.speed);
-  // At rest on a stop: where impacts slow down until they are none.
+  // At rest on a stop, the limit of impacts that slow down, the height is zero.
   if (orbit.sticks()) heights.push_back(0.0);
   return heights;
 }
@@ -92,7 +92,7 @@ Outcome diagram_outcome(const Sweep& swept, const std::optional<Outcome>& branch
   const std::size_t values = static_cast<std::size_t>(swept.options.points);
   if (const auto stopped = stopped_outcome(swept.stopped, swept.rows.size(), values, "values"))
     return *stopped;
-  // That there are no such orbits is a note; the sweep says what there is.
+  // The absence of orbits is a note; the sweep shows what there is.
   if (branches && branches->name != "complete" && branches->name != "no_orbit") return *branches;
   const auto is_failed = [](const SweepRow& row) {
     return row.status == SweepStatus::kImpactBudget || row.status == SweepStatus::kRefused ||
@@ -263,7 +263,7 @@ Outcome cost_outcome(const FlowCosts& costs, StopReason stopped) {
                                   costs.rows.size())};
   if (costs.rows.empty())
     return {"none", "there is no motion to compare: " + costs.reference_message};
-  // The exact flow stands first; without its motion there is nothing to choose.
+  // The exact flow is first; without its motion there is nothing to compare.
   const std::string& failure = costs.rows.front().compared.message;
   if (!failure.empty()) return {"budget", "the exact flow did not get to the end: " + failure};
   return {"measured", ""};

@@ -28,41 +28,41 @@ namespace graze {
 // What a picture shows of a branch over the parameter: impact speeds (m/s) or displacements at a
 // stop (m), one for every impact or forcing period of an orbit.
 struct DiagramCurve {
-  std::vector<std::vector<double>> points, special;  // of each point of the branch
+  std::vector<std::vector<double>> points, special;  // for each point of the branch
 };
 
 struct DiagramRecord {
-  // With what made the diagram and the outcome of the whole; without branches where none were asked
-  // for.
+  // Includes what made the diagram and the outcome of the whole; without branches if none were
+  // requested.
   BranchRecord branches;
   Sweep swept;
   DiagramSection section = DiagramSection::kImpact;
-  // One a branch; of a stroboscopic section such a list for each stop, of impacts one for all of
-  // them together.
+  // One curve for each branch; on a stroboscopic section such a list for each stop, for impacts a
+  // single one.
   std::vector<std::vector<DiagramCurve>> curves;
 };
 
-// Impacts slower than this part of the fastest are not shown where a chatter completes: there is no
-// end to them.
+// Impacts slower than this part of the fastest are not shown where a chatter completes: there are
+// infinitely many.
 inline constexpr double kSlowestShown = 1e-3;
 
-// The speeds of all impacts along the branches; where a chatter completes of those that are not
+// The speeds of all impacts along the branches; where a chatter completes, without those that are
 // many times slower than the fastest.
 std::vector<DiagramCurve> impact_curves(const OrbitBranches& traced);
 
-// What is shown of the amplitudes along the branches, one height a point; requires both.
+// The shown amplitude along the branches, one height for each point; requires both.
 std::vector<DiagramCurve> amplitude_curves(const BranchRecord& record);
-// The same of another number of them.
+// The same for another amplitude.
 std::vector<DiagramCurve> amplitude_curves(const BranchAmplitudes& amplitudes, const Shown& shown);
 
 // The displacements at each stop at t = 0, T, 2T, .. along the branches.
 std::vector<std::vector<DiagramCurve>> stroboscopic_curves(const SystemFamily& family,
                                                            const OrbitBranches& traced);
 
-// How the diagram ended: `branches` is the outcome of tracing them, as far as they were asked for.
+// How the diagram ended: `branches` is the outcome of tracing them, if they were requested.
 Outcome diagram_outcome(const Sweep& swept, const std::optional<Outcome>& branches);
 
-// The result of a diagram of a motion that no forcing repeats: one run from the scene's start at
+// The result of a diagram of a motion without periodic forcing: one run from the scene's start at
 // each value of a parameter.
 struct RunDiagramRecord {
   RunInfo info;
@@ -71,7 +71,7 @@ struct RunDiagramRecord {
   double duration = 0.0;  // s
   std::size_t stops = 0;
   std::vector<Probe> probes;
-  std::vector<ValueRun> runs;  // those that were finished, in the order of the values
+  std::vector<ValueRun> runs;  // the finished ones, in the order of the values
   std::vector<std::string> warnings;
   Outcome outcome;
 };
@@ -95,25 +95,25 @@ enum class MapQuantity {
 struct MapRecord {
   RunInfo info;
   AttractorMap map;
-  std::optional<OrbitLoci> loci;  // of special points over it, where they were asked for
+  std::optional<OrbitLoci> loci;  // of special points over it, if requested
   std::string x_unit, y_unit;
   MapQuantity shown = MapQuantity::kAttractor;
-  std::vector<MeasuredPlace> places{};  // at which motions are measured; none unless asked for
+  std::vector<MeasuredPlace> places{};  // at which motions are measured; empty unless requested
   std::optional<Shown> measured{};      // what is shown of that
   std::vector<std::string> warnings;
   Outcome outcome;
 };
 
-// "complete"; "budget" where computing time was spent or a motion could not be followed to its end,
-// "interrupted". A start that the scene does not allow is what the cell is.
+// "complete"; "budget" when computing time was spent or a motion could not be followed to its end;
+// "interrupted". A start that the scene does not allow is a result of its cell, no failure.
 Outcome map_outcome(const AttractorMap& map);
 
-// The result of tracing loci in two parameters, and of looking for what is stable between them.
+// The result of tracing loci in two parameters, and of searching for stable motions between them.
 struct LociRecord {
   RunInfo info;
   OrbitLoci traced;
   std::optional<StableRegions> regions;        // where they were asked for
-  std::optional<RegionBoundaries> boundaries;  // of these, where loci of all kinds were traced
+  std::optional<RegionBoundaries> boundaries;  // of these, if loci of all kinds were traced
   double from = 0.0, to = 0.0, second_from = 0.0, second_to = 0.0;
   std::string unit, second_unit;  // of the parameters
   std::vector<std::string> warnings;
@@ -122,13 +122,13 @@ struct LociRecord {
 
 Outcome loci_outcome(const OrbitLoci& traced, const LociOptions& options);
 
-// How the whole ended, `loci` being the outcome of tracing them. Where regions are shown, that no
-// loci were met is no failure.
+// How the whole ended, `loci` being the outcome of tracing them. With regions, the absence of loci
+// is no failure.
 Outcome regions_outcome(const StableRegions& regions, const Outcome& loci);
 
 // The results of compare with what made them.
 
-// What is told of two motions.
+// Compared quantities of two motions.
 enum class ComparedQuantity {
   kAttractor,  // what both settle on
   kAgreeing,   // first impacts that agree
@@ -140,16 +140,16 @@ enum class ComparedQuantity {
   kTaken  // by the stops
 };
 
-// Motions of a scene and of others, each next to the one before.
+// Motions of a scene and of others, each compared with the previous one.
 struct ComparisonRecord {
   RunInfo info;
   std::vector<std::string> names;                    // of the scenes: "the scene", "beam.modes=5"
   std::vector<std::vector<std::string>> settings{};  // of each beside those of the first
-  std::vector<int> modes;  // of each where that is what they differ in; else none
+  std::vector<int> modes;  // of each if that is their difference; else empty
   CompareOptions options;
   std::vector<ComparedMotion> motions;
-  std::vector<MotionDifference> differences;  // of each but the first from the one before
-  std::vector<SimulationRecord> runs;         // with the samples that a picture shows; or none
+  std::vector<MotionDifference> differences;  // of each but the first from the previous one
+  std::vector<SimulationRecord> runs;         // with the samples for a picture; or empty
   std::vector<std::string> warnings;
   Outcome outcome;
 };
@@ -165,10 +165,10 @@ struct ComparisonMapRecord {
   Outcome outcome;
 };
 
-// Fills in the differences, and the outcome: "compared"; "budget" where a motion could not be
-// followed; or why not all of `asked` were.
+// Fills in the differences, and the outcome: "compared"; "budget" when a motion could not be
+// followed; or why not all of `asked` were compared.
 void conclude_comparison(ComparisonRecord& record, std::size_t asked, StopReason stopped);
-// "complete", and else likewise. Values that a scene does not allow are what the cell is.
+// "complete", and else likewise. Values that a scene does not allow are a result of their cell.
 Outcome comparison_map_outcome(const ComparisonMap& map);
 
 // The result of compare --sensitivity with what made it.
@@ -183,11 +183,11 @@ struct SensitivityRecord {
   Outcome outcome;
 };
 
-// "compared", "incomplete" where a run did not reach its end, or why not all values were run.
+// "compared", "incomplete" when a run did not reach its end, or why not all values were run.
 Outcome sensitivity_outcome(const std::vector<SensitivityCurve>& curves, std::size_t asked,
                             StopReason stopped);
 
-// The result of comparing flows: what accuracy costs in time.
+// The result of comparing flows: the cost of accuracy in time.
 
 // The order of Runge-Kutta steps across the first contact with a compliant stop.
 struct ContactOrders {
@@ -206,11 +206,11 @@ struct CostRecord {
   Outcome outcome;
 };
 
-// "measured"; "budget" where the time or the impacts were spent before, "none" where there is
-// nothing to compare.
+// "measured"; "budget" when the time or the impacts were spent before; "none" when there is nothing
+// to compare.
 Outcome cost_outcome(const FlowCosts& costs, StopReason stopped);
 
-// What flows are compared with.
+// The reference for flows.
 std::string reference_name(const FlowCosts& costs);
 
 // "first 20 impacts, 2.5 s", "first 20 contacts, 2.5 s" or "no impacts, 2.5 s"
@@ -233,7 +233,7 @@ Outcome fit_outcome(const FitResult& result);
 // "restitution", "impact times" or "response".
 std::string name_of(MeasurementKind kind);
 
-// What stands beside the measured values: "speed" (m/s), "time" (s), "impact".
+// The independent variable of the measured values: "speed" (m/s), "time" (s), "impact".
 struct Abscissa {
   std::string name, unit;
 };
@@ -246,7 +246,7 @@ std::string fitted_scene_text(const FitResult& result);
 struct ModesRecord {
   RunInfo info;
   ModeTable table;
-  std::string mac_file{};  // that the modes are compared with; empty: none
+  std::string mac_file{};  // file of shapes that the modes are compared with; empty: none
   std::optional<ModalAssurance> mac{};
   std::vector<std::string> warnings;
   Outcome outcome;

@@ -7,12 +7,12 @@
 
 namespace graze {
 
-// s, of all threads together, to the clock's nanoseconds.
+// s, of all threads together, with the resolution of the clock in nanoseconds.
 double processor_time();
 
-// The least time that `work` takes, s: it is repeated until so many seconds have gone by and at
-// least three times, unless it takes longer than `enough` altogether; what else the machine does
-// only adds to it.
+// The least time that `work` takes, s. It is repeated until enough time for a measurement has
+// passed and at least three times, but ends once all runs together took longer than `enough`; other
+// load of the machine only adds to the time.
 double least_time(const std::function<void()>& work, double enough, const StopSignal& stop = {});
 
 }  // namespace graze

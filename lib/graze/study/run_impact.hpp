@@ -1,4 +1,4 @@
-// An impact of a run, or the beginning of a contact at a compliant stop, as tables keep it.
+// An impact of a run, or the beginning of a contact at a compliant stop, for tables.
 #pragma once
 
 #include "graze/motion/simulation.hpp"

@@ -1,5 +1,5 @@
-// What vectors are as modes of a structure: their frequencies, which of them are those of a rigid
-// body, and how well they satisfy K phi = w^2 M phi.
+// The accuracy of vectors as modes of a structure: their frequencies, which of them are rigid-body
+// modes, and how well they satisfy K phi = w^2 M phi.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace graze {
 
-// Of a mode; larger ones are refused.
+// Largest residual of a mode that is accepted.
 inline constexpr double kLargestResidual = 1e-8;
 
-// As of StructuralModes (structural_modes.hpp).
+// The members have the meaning of those of StructuralModes (structural_modes.hpp).
 struct JudgedModes {
   Vector omega;
   Matrix shapes;
@@ -19,11 +19,12 @@ struct JudgedModes {
   int rigid = 0;
 };
 
-// Of vectors that are orthonormal in M, n x m. Throws InputError where the stiffness is indefinite.
+// For vectors that are orthonormal in M, n x m. Throws InputError where the stiffness is
+// indefinite.
 JudgedModes judged_modes(const StructuralMatrices& structure, const Matrix& vectors);
 
-// By what twice the elastic energy of each column changes where every entry of the stiffness is
-// rounded for itself.
+// Change of twice the elastic energy of each column by independent rounding of every entry of the
+// stiffness.
 Vector energy_roundings(const SparseMatrix& stiffness, const Matrix& columns);
 
 [[noreturn]] void refuse_indefinite(const StructuralMatrices& structure, const std::string& why);

@@ -1,4 +1,4 @@
-// What of a structure has mass, and what follows it.
+// The degrees of freedom of a structure with mass, and those that follow them.
 #pragma once
 
 #include <string>
@@ -18,15 +18,15 @@ class Masses {
   Masses& operator=(const Masses&) = delete;
 
   // Throws InputError where the other degrees of freedom, whose rows of the mass are zero, can move
-  // without strain energy while these rest: their stiffness then does not tell how they follow.
+  // without strain energy while those with mass rest: their stiffness then does not determine them.
   void check_others() const;
 
-  // Of the mass matrix: as many modes there are. Of a large semidefinite one, whose eigenvalues
-  // could not be counted, the number of rows.
+  // Rank of the mass matrix, which is the number of modes. For a large semidefinite matrix, whose
+  // eigenvalues could not be counted, the number of rows.
   int rank() const { return rank_; }
   bool is_singular() const { return is_singular_; }       // on its rows
   const std::vector<int>& rows() const { return rows_; }  // that are not zero, ascending
-  // F with M = F F^T on these rows, rows by rank; empty of a large semidefinite matrix.
+  // F with M = F F^T on these rows, rows by rank; empty for a large semidefinite matrix.
   Matrix factor() const;
 
  private:
@@ -43,11 +43,11 @@ class Masses {
   Matrix factor_;  // of a semidefinite one
 };
 
-// An eigenvalue of D^-1/2 M D^-1/2, D the diagonal of M, below this is 0: files with 14 digits
-// leave 5e-14 of each entry, and some 80 entries a row.
+// An eigenvalue of D^-1/2 M D^-1/2, D the diagonal of M, below this counts as 0: files with 14
+// digits have errors of 5e-14 of each entry, and some 80 entries a row.
 inline constexpr double kNullMass = 1e-11;
 
-// The name of a row, for messages; "?" of a negative one.
+// The name of a row, for messages; "?" for a negative one.
 std::string row_name(const StructuralMatrices& structure, int row);
 
 }  // namespace graze

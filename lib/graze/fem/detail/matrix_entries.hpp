@@ -20,13 +20,13 @@ enum class EntryStorage {
   kEither        // the former where no entry has its mirror image listed
 };
 
-// What stands twice is refused with its line, or added up (`adds`), as programs do that assemble.
-// Throws InputError where the matrix is not symmetric or has no entries.
+// An entry that is listed twice is refused with its line, or added up (`adds`), as by programs that
+// assemble. Throws InputError where the matrix is not symmetric or has no entries.
 SparseMatrix symmetric_matrix(const std::string& file, int size, std::vector<MatrixEntry> entries,
                               EntryStorage storage, const std::vector<DofLabel>& labels,
                               bool adds = false);
 
-// Of a dense one, likewise.
+// From a dense matrix, likewise.
 SparseMatrix symmetric_matrix(const std::string& file, const Matrix& dense,
                               const std::vector<DofLabel>& labels);
 

@@ -1,4 +1,4 @@
-// One reader for each format of labelled_matrix.hpp; errors as told there.
+// One reader for each format of labelled_matrix.hpp; errors as described there.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ LabelledMatrix read_dmig(TextLines& lines, const std::string& wanted);
 LabelledMatrix read_npy(const std::string& name, const std::string& bytes);
 LabelledMatrix read_npz(const std::filesystem::path& file);
 
-// Of a .npy file with one column or one row, or with one dimension.
+// Reads a .npy file with one column or one row, or with one dimension.
 Vector read_npy_vector(const std::string& name, const std::string& bytes);
 
 }  // namespace graze

@@ -1,4 +1,4 @@
-// Eigenvectors that are nearly so, made as good as rounding lets them be.
+// Improves approximate eigenvectors to the accuracy that rounding allows.
 #pragma once
 
 #include "graze/fem/labelled_matrix.hpp"

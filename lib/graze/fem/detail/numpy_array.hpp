@@ -11,10 +11,10 @@ namespace graze {
 struct NumpyArray {
   std::vector<long> shape;     // empty: one value
   bool is_fortran = false;     // column by column
-  std::string text;            // of bytes or characters, in place of the values
+  std::string text;            // for an array of bytes or characters, instead of the values
   std::vector<double> values;  // in the order of the file
 
-  // At (i, j) of one with two dimensions.
+  // The value at (i, j) of an array with two dimensions.
   double at(long i, long j) const {
     return values[static_cast<std::size_t>(is_fortran ? i + j * shape[0] : i * shape[1] + j)];
   }
@@ -25,7 +25,7 @@ struct NumpyArray {
 NumpyArray numpy_array(const std::string& name, const std::string& bytes);
 
 // The members of a zip archive by their names. Throws FileError where it cannot be read, InputError
-// where it is none.
+// where it is no archive.
 std::map<std::string, std::string> zip_members(const std::filesystem::path& file);
 
 }  // namespace graze

@@ -18,8 +18,8 @@ class SparseCholesky {
   SparseCholesky(const SparseCholesky&) = delete;
   SparseCholesky& operator=(const SparseCholesky&) = delete;
 
-  // False where the matrix is not positive definite; `failed_row` is then the row at whose pivot
-  // that shows. Throws std::bad_alloc where the memory does not suffice.
+  // False where the matrix is not positive definite; `failed_row` is then the row of the pivot that
+  // shows this. Throws std::bad_alloc where the memory does not suffice.
   bool factorise(const SparseMatrix& matrix);
   int failed_row() const;
   // Smallest pivot relative to the diagonal entry it came from, about the unit roundoff where the
@@ -29,7 +29,7 @@ class SparseCholesky {
     int row;
   };
   Pivot smallest_pivot() const;
-  // Of the factors at hand.
+  // Solves with the present factors.
   Matrix solve(const Matrix& right) const;
   void solve(const double* right, double* result) const;
 
@@ -37,8 +37,8 @@ class SparseCholesky {
   double operations() const;
   double entries() const;
 
-  // How many eigenvalues of the matrix are negative, by the signs of D in L D L^T without pivoting.
-  // Nothing where a pivot vanishes or where the factors do not solve the system to
+  // The number of negative eigenvalues of the matrix, by the signs of D in L D L^T without
+  // pivoting. Returns nullopt when a pivot vanishes or when the factors do not solve the system to
   // `kInertiaResidual`, relative: then they are not those of a matrix near this one.
   std::optional<int> negative_eigenvalues(const SparseMatrix& matrix);
   static constexpr double kInertiaResidual = 1e-9;

@@ -10,22 +10,22 @@
 
 namespace graze {
 
-// All of a file; throws FileError where it cannot be read.
+// All bytes of a file; throws FileError where it cannot be read.
 std::string read_bytes(const std::filesystem::path& file);
 
-// Without its ends of white space.
+// The text without white space at its ends.
 std::string_view trimmed(std::string_view text);
 bool starts_without_case(std::string_view text, std::string_view start);
 
 class TextLines {
  public:
-  // `name` is what messages call the file. A byte order mark is passed over; throws InputError
-  // where it is that of UTF-16.
+  // `name` is the file's name in messages. A byte order mark is skipped; throws InputError where it
+  // is that of UTF-16.
   TextLines(std::string name, std::string text);
 
-  // To the next line; false at the end.
+  // Goes to the next line; false at the end.
   bool next();
-  // To the next line that is not blank.
+  // Goes to the next line that is not blank.
   bool next_text();
   std::string_view line() const { return line_; }
   int number() const { return number_; }

@@ -1,7 +1,7 @@
-// What a scene says of measurements, as a function of the parameters that are fitted: the
-// restitution r(v) = a0 - a1 v - .. in closed form, or a motion looked at where it was measured.
+// The model of measurements as a function of the fitted parameters: the restitution r(v) = a0 - a1
+// v - .. in closed form, or a motion evaluated where it was measured.
 //
-// Beside the parameters of the scene there are, of measured motions,
+// For measured motions there are, besides the parameters of the scene,
 //   record.start            the time of the scene, s, at which the clock of the record reads zero
 //   initial.q.1, initial.qdot.1 ..   the state in which the motion starts (kg^1/2 m, kg^1/2 m/s)
 #pragma once
@@ -27,7 +27,7 @@ struct FitModelOptions {
   StopSignal stop;
 };
 
-// Why a motion says nothing at some values of the parameters.
+// Why a motion cannot be evaluated at some values of the parameters.
 struct ModelFailure {
   std::string sentence;
 };
@@ -45,26 +45,26 @@ class FitModel {
   const std::vector<std::string>& units() const { return units_; }
   Units scene_units() const { return scene_.units; }
 
-  // What was measured as these values have it: all series one after the other, each in the order of
-  // its rows, SI. Nothing where the scene does not allow the values or the motion cannot be
-  // followed; why() then says so.
+  // The model's prediction of the measurements at these values: all series one after the other,
+  // each in the order of its rows, SI. Returns nullopt when the scene does not allow the values or
+  // the motion cannot be followed; why() then gives the reason.
   std::optional<Vector> predict(const Vector& values);
   const std::string& why() const { return why_; }
-  // Its derivative, one column a parameter, where it is known in closed form.
+  // The derivative of the prediction, one column a parameter; nullopt when it has no closed form.
   std::optional<Matrix> derivative() const;
 
-  // Of a motion that has fewer impacts than were measured: how many are missing at the values asked
-  // for last. A missing impact counts as one at the end of the time that the motion is followed.
+  // For a motion with fewer impacts than were measured: how many are missing at the latest values.
+  // A missing impact counts as one at the end of the time that the motion is followed.
   std::size_t missing_impacts() const { return missing_; }
 
   // Series as above at other places than those measured (no impact times): times or speeds.
   std::optional<Vector> predict_at(const Vector& values, const Vector& at);
 
-  // The scene with these values. record.start is none of its numbers.
+  // The scene with these values. record.start is not one of its numbers.
   Scene scene_at(const Vector& values) const;
 
  private:
-  // Where a value goes.
+  // What a fitted value sets.
   enum class Target { kScene, kClock, kInitialState };
   struct Parameter {
     std::string name;
@@ -77,7 +77,7 @@ class FitModel {
   std::optional<Vector> restitutions(const Vector& values, const Vector& speeds) const;
   std::optional<Vector> responses(const Vector& values, const Vector& at);
   std::optional<Vector> impact_times(const Vector& values);
-  // The system at these values with its start; nothing, and why_, where there is none.
+  // The system at these values, with its start; null, with why_ set, when there is none.
   const System* system_at(const Vector& values, State& start);
   bool follow(const System& system, const State& start, Observation& observation);
   double quantity(const MeasuredSeries& series, const System& system, const Observed& observed,

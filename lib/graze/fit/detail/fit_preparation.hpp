@@ -1,5 +1,5 @@
-// What is checked before parameters are sought: their limits, and whether the measurements can tell
-// them anything.
+// Checks before a fit: the limits of the parameters, and whether the measurements can determine
+// them.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace graze {
 
-// The parameters with all their limits; those of restitutions where none were given: a0 from 0 to
-// 1, the others without limits. Throws InputError where a limit is none that the scene allows.
+// The parameters with all their limits; default limits of restitutions: a0 from 0 to 1, the others
+// none. Throws InputError for a limit that the scene does not allow.
 std::vector<SoughtParameter> checked_parameters(const Scene& scene,
                                                 const Measurements& measurements,
                                                 const std::vector<SoughtParameter>& asked);
@@ -19,9 +19,9 @@ std::vector<SoughtParameter> checked_parameters(const Scene& scene,
 void require_enough(const Measurements& measurements,
                     const std::vector<SoughtParameter>& parameters);
 
-// Throws InputError, with the place in the file, where the values are far larger or smaller than
-// what the model says at `start` and where one parameter is at a limit: another unit, most likely.
-// Where it is stopped on the way nothing is said.
+// Throws InputError, with the place in the file, when the values are far larger or smaller than the
+// model's at `start` and where one parameter is at a limit: most likely they are in another unit.
+// Does not throw when it is stopped on the way.
 void require_comparable(const Measurements& measurements,
                         const std::vector<SoughtParameter>& parameters, const Vector& start,
                         FitModel& model, const StopSignal& stop);

@@ -1,10 +1,10 @@
 // The singular values of a derivative J (m values x n parameters), its columns first scaled to
-// length one, so that units play no part:
+// length one, so that units do not matter:
 //
 //   J = U S V^T D,   D the lengths of the columns.
 //
-// A direction of the parameters whose singular value is below what is known of J changes nothing
-// that was measured: the data do not tell it.
+// A direction of the parameters whose singular value is below the error of J changes none of the
+// measured values: the data do not determine it.
 #pragma once
 
 #include <vector>
@@ -19,11 +19,11 @@ class JacobianFactors {
   JacobianFactors(const Matrix& jacobian, double error);
 
   Eigen::Index rank() const { return rank_; }
-  // The shortest step that reduces |r + J p| most, directions that are not told left out.
+  // The shortest step that reduces |r + J p| most, without the directions that are not determined.
   Vector step(const Vector& residual) const;
   // (J^T J)^-1; requires full rank.
   Matrix inverse_normal() const;
-  // Parameters (from 0) that take part in a direction that is not told, one list a direction.
+  // Parameters (from 0) that take part in a direction that is not determined, one list a direction.
   std::vector<std::vector<Eigen::Index>> untold() const;
 
  private:

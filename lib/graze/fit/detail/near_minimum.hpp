@@ -1,4 +1,4 @@
-// The neighbourhood of a least sum of squares, by NLopt.
+// Comes near the minimum of a sum of squares, by NLopt.
 #pragma once
 
 #include <functional>
@@ -15,16 +15,16 @@ struct NearMinimumOptions {
 };
 
 struct NearMinimum {
-  Vector parameters, residuals;  // the best there was; empty where nothing could be evaluated
+  Vector parameters, residuals;  // the best found; empty when nothing could be evaluated
   std::string method;            // in words
 };
 
-// `residuals` stand for those of the problem.
+// `residuals` replace those of the problem.
 NearMinimum near_minimum(const LeastSquaresProblem& problem, const Residuals& residuals,
                          const NearMinimumOptions& options);
 
-// The minimum itself where the sum of squares has kinks, by Nelder and Mead's simplex of the size
-// `deviations` around `at`, down to `part` of them. `residuals_at`: those at `at`.
+// The minimum itself where the sum of squares has kinks, by Nelder and Mead's simplex with initial
+// sizes `deviations` around `at`, down to `part` of them. `residuals_at`: those at `at`.
 NearMinimum simplex_minimum(const LeastSquaresProblem& problem, const Residuals& residuals,
                             const Vector& at, const Vector& residuals_at, const Vector& deviations,
                             double part, const std::function<bool()>& over);

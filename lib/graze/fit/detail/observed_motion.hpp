@@ -1,4 +1,4 @@
-// A motion looked at where it was measured: its state at given instants, each as exact as the
+// A motion evaluated where it was measured: its state at given instants, each as exact as the
 // motion itself, and its impacts.
 #pragma once
 

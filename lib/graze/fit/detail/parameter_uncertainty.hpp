@@ -1,4 +1,4 @@
-// How well the data determine the parameters of a fit, and what in its residuals deserves a word.
+// How well the data determine the parameters of a fit, and warnings about its residuals.
 #pragma once
 
 #include <string>
@@ -13,13 +13,13 @@ namespace graze {
 double confidence_quantile(long long freedom);
 
 // Fills in uncertainties, intervals and correlations of `result` from the derivative at the
-// optimum; parameters at limits are held. Where a direction of the others is not told by the data,
-// the result ends as kNotDetermined with a sentence, and those that take part in it have no
-// uncertainty.
+// optimum; parameters at limits are held. When the data do not determine a direction of the others,
+// the result ends as kNotDetermined with a sentence, and the parameters that take part in it have
+// no uncertainty.
 void judge_parameters(const LeastSquaresResult& solved, FitResult& result);
 
-// Adds warnings: known uncertainties that the residuals contradict, residuals that follow one
-// another, parameters on their limits or known no better than these.
+// Adds warnings: known uncertainties that the residuals contradict, correlated residuals,
+// parameters on their limits or with uncertainties as large as these.
 void judge_residuals(const Vector& residuals, FitResult& result);
 
 }  // namespace graze

@@ -8,7 +8,7 @@
 namespace graze {
 namespace {
 
-// Of those that last, s.
+// The shortest contact that has a duration, s.
 std::optional<double> shortest_contact(const Orbit& orbit) {
   std::optional<double> shortest;
   for (const OrbitImpact& impact : orbit.impacts) {
@@ -20,7 +20,7 @@ std::optional<double> shortest_contact(const Orbit& orbit) {
 
 void describe_point(ResultVisitor& v, const OrbitBranchPoint& point, bool compliant) {
   const Orbit& orbit = point.orbit;
-  // Of an orbit at rest on its stop there is none.
+  // An orbit at rest on its stop has none.
   const OrbitImpact* first = entry(orbit.impacts, 0);
   v.field(Field{"impacts", "", "resolved"}.tabular(), orbit.impacts.size());
   v.field({"value", "", "of the parameter"}, point.value);
@@ -104,7 +104,7 @@ void describe_branch(ResultVisitor& v, const OrbitBranch& branch, const BranchRe
   v.field({"origin", "", "special point at which it was reached by switching; null of a first one"},
           named(branch.origin));
   v.values({"ends", "", "two"}, branch.ends, [](OrbitBranchEnd end) { return name_of(end); });
-  // A record that asks for no amplitudes has no places.
+  // Without requested amplitudes a record has no places.
   const std::vector<MeasuredPlace>& places = record.amplitudes.places;
   const auto describe_size = [&](const std::vector<Amplitudes>* of, std::size_t i) {
     if (!places.empty()) describe_amplitudes(v, places, of ? entry(*of, i) : nullptr);

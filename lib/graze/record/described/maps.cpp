@@ -55,7 +55,7 @@ void describe_cell(ResultVisitor& v, const MapRecord& record, const MapCell& cel
     });
 }
 
-// Of every place the quantities that are shown there, a list of the cells each.
+// For every place the quantities that are shown there, with a list of the cells for each.
 void describe_measured(ResultVisitor& v, const MapRecord& record,
                        const std::vector<std::size_t>& known) {
   v.list({"amplitudes", "", "at every place, lists of the cells"}, record.places,

@@ -94,7 +94,7 @@ void describe_points(ResultVisitor& v, const RunSection& section) {
   v.part({"section", "", "with `--section`"}, [&] {
     v.field({"kind"}, name_of(section.kind()));
     v.field({"from", "s"}, section.from());
-    // How many, where documents have the lists beside it.
+    // Their number, where documents have the lists elsewhere.
     v.only(Field::Use::kDocument, [&] { v.field({"points"}, section.points().size()); });
     v.field({"left_out", "", "beyond a million"}, section.left_out());
     v.columns({}, section.points(), [&](const SectionPoint& point, std::size_t) {
@@ -157,7 +157,7 @@ void describe(ResultVisitor& v, const SimulationRecord& record) {
   describe_head(v, record.info, record.outcome, record.warnings);
   if (const auto some = v.where(!record.notes.empty(), "if there are any"))
     v.values({"notes", "", "sentences"}, record.notes);
-  // They come and go with the run.
+  // They are not stored: they come during the run.
   v.only(Field::Use::kDocument, [&] { describe(v, std::vector<Event>()); });
   describe_final(v, record.system, run);
   describe_totals(v, run.totals);

@@ -127,8 +127,8 @@ void describe_starts(ResultVisitor& v, const FoundOrbits& found) {
 
 constexpr int kProfileSamplesPerPeriod = 200;
 
-// The motion over one period: a row a sample, flight by flight from impact to impact with the ends
-// of each, so that an impact has a row before and one after it.
+// The motion over one period: one row for each sample, flight by flight from impact to impact with
+// the ends of each, so that an impact has a row before and one after it.
 void describe_profile(ResultVisitor& v, const OrbitRecord& record, std::size_t k) {
   // Every place is sampled at the same instants.
   std::vector<std::vector<std::vector<CurveSample>>> curves(record.places.size());

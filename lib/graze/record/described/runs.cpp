@@ -30,7 +30,7 @@ void describe_probes(ResultVisitor& v, const std::vector<Probe>& probes) {
   v.list({"probes"}, probes, [&](const Probe& probe, std::size_t) { describe_probe(v, probe); });
 }
 
-// One line an impact, one for a value that has none; and one line a value.
+// One line for each impact, or one for a value without impacts; and one line for each value.
 void describe_lines(ResultVisitor& v, const RunDiagramRecord& record, const ValueRun& run) {
   const std::size_t lines = std::max<std::size_t>(run.impacts.size(), 1);
   for (std::size_t k = 0; k < lines; ++k)

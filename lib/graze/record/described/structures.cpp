@@ -1,4 +1,4 @@
-// What is simulated, and its natural modes.
+// The simulated structure, and its natural modes.
 #include <cmath>
 #include <ranges>
 

@@ -65,7 +65,7 @@ void describe_exponents(ResultVisitor& v, const SweepRow& row, Eigen::Index coun
   });
 }
 
-// What a table of samples has of one; not finite: nothing.
+// A sample as a row of the table; not finite: empty.
 struct RowSample {
   std::size_t stop = 0;
   std::optional<long long> period_index{};
@@ -123,7 +123,7 @@ void describe_samples(ResultVisitor& v, const DiagramRecord& record, const Sweep
     if (!places.empty()) describe_amplitudes(v, places, measured);
   };
   v.only(kDocument, describe_measured);
-  // A value without samples has its line all the same.
+  // A value without samples has one line.
   const std::size_t lines = std::max<std::size_t>(samples.size(), 1);
   v.list(Field{"samples"}.tabular(), std::views::iota(std::size_t{0}, lines),
          [&](std::size_t i, std::size_t) {

@@ -7,7 +7,7 @@
 namespace graze {
 
 void Checksum::add(std::string_view text) {
-  // Goes on from what is left of the text before.
+  // Continues with the checksum of the text so far.
   boost::crc_32_type crc;
   crc.reset(remainder_);
   crc.process_bytes(text.data(), text.size());

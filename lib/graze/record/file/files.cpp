@@ -44,7 +44,7 @@ void write_file(const std::filesystem::path& file, std::string_view text) {
 
 void read_pieces(const std::filesystem::path& file,
                  const std::function<bool(std::string_view)>& use) {
-  std::error_code no_matter;  // what cannot be looked at cannot be opened either
+  std::error_code no_matter;  // ignored: a file that cannot be inspected cannot be opened either
   if (std::filesystem::is_directory(file, no_matter)) fail(file, "read", EISDIR);
   if (is_named_pipe(file))
     throw InputError(

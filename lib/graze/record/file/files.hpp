@@ -1,4 +1,4 @@
-// Files that appear whole or not at all.
+// Files that are written completely or not at all.
 #pragma once
 
 #include <filesystem>
@@ -10,9 +10,9 @@
 
 namespace graze {
 
-// A file that grows beside its place under another name and takes it when it is complete. Until
-// then, and if it never is, whatever stood there stays, and nothing else is left behind. All
-// functions throw FileError.
+// A file that is written beside its place under another name and moved to its place when it is
+// complete. Until then, and if it never is, an older file stays there, and nothing else is left
+// behind. All functions throw FileError.
 class PendingFile {
  public:
   explicit PendingFile(const std::filesystem::path& file) : file_(file) {}
@@ -34,12 +34,12 @@ class PendingFile {
 // Writes `text` as the whole content of `file`. Throws FileError, leaving `file` as it was.
 void write_file(const std::filesystem::path& file, std::string_view text);
 
-// Hands out the file's content piece by piece while `use` says that it goes on. Throws FileError,
-// and InputError for a named pipe (named_pipe.hpp).
+// Passes the file's content piece by piece to `use` while that returns true. Throws FileError, and
+// InputError for a named pipe (named_pipe.hpp).
 void read_pieces(const std::filesystem::path& file,
                  const std::function<bool(std::string_view)>& use);
 
-// The file's content, but no more than `most` bytes and one. Throws as read_pieces does.
+// The file's content, but at most `most` + 1 bytes. Throws as read_pieces does.
 std::string read_file(const std::filesystem::path& file, std::size_t most);
 
 // Checks that the folder is there and that files can be made in it. Throws FileError.

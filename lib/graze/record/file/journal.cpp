@@ -52,7 +52,7 @@ void Journal::fail(const char* what) const {
 }
 
 Journal Journal::writable(const std::filesystem::path& file) {
-  // What it may write over is a file of that name, not what a link of that name leads to.
+  // It may overwrite a file of that name, but not follow a link of that name.
   Journal journal(file, ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666));
   if (journal.descriptor_ < 0 && errno == ELOOP)
     throw FileError(file.string() + ": cannot write: it is a symbolic link");
@@ -61,7 +61,7 @@ Journal Journal::writable(const std::filesystem::path& file) {
   if (::fstat(journal.descriptor_, &status) != 0) journal.fail("write");
   if (!S_ISREG(status.st_mode) || status.st_nlink != 1)
     throw FileError(file.string() + ": cannot write: it is no file of its own");
-  // Goes with the program, however that ends. Where the disk knows no locks there are none.
+  // The lock ends with the program in any case. Where the disk supports no locks there are none.
   if (::flock(journal.descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     throw FileError(file.string() + ": another run is writing this journal");
   return journal;
@@ -120,7 +120,7 @@ Journal Journal::open(const std::filesystem::path& file) {
   return journal;
 }
 
-// What stands after the last whole line was being written when the program ended.
+// Anything after the last whole line was being written when the program ended.
 void Journal::cut_off(std::size_t at) {
   if (::ftruncate(descriptor_, static_cast<off_t>(at)) != 0) fail("write");
   end_ = at;

@@ -1,5 +1,5 @@
-// What long work has finished so far, piece by piece, in a file that only grows: whatever ends the
-// program, the pieces that stand there are not done again.
+// The finished pieces of long work, in a file that only grows: however the program ends, these
+// pieces are not done again.
 //
 // Lines of "CHECKSUM NAME <tab> TEXT", the first of them about the work as a whole. A line that was
 // cut off or damaged does not fit its checksum and counts as not written.
@@ -21,16 +21,16 @@ namespace graze {
 
 class Journal : public PieceStore {
  public:
-  // What may become of a journal of work that has not come to its end.
+  // Whether a journal of unfinished work may be replaced.
   enum class Unfinished { kRefused, kReplaced };
-  // Begins a journal in place of what stands there. Throws InputError where finished pieces of
-  // unfinished work stand there, unless they may be replaced.
+  // Begins a journal in place of an existing one. Throws InputError when that holds finished pieces
+  // of unfinished work, unless they may be replaced.
   static Journal begin(const std::filesystem::path& file, const JournalHead& head,
                        Unfinished unfinished = Unfinished::kRefused);
-  // Goes on with the journal, or begins it where there is none. Throws InputError where it belongs
-  // to other work than `head` says.
+  // Continues the journal, or begins it where there is none. Throws InputError when it belongs to
+  // other work than `head`.
   static Journal resume(const std::filesystem::path& file, const JournalHead& head);
-  // Reads a journal that nothing is added to. Throws InputError where it is none.
+  // Reads a journal without adding to it. Throws InputError for other files.
   static Journal open(const std::filesystem::path& file);
 
   ~Journal() override;
@@ -46,7 +46,7 @@ class Journal : public PieceStore {
   std::optional<std::string> find(const std::string& name) const override;
   bool has(const std::string& name) const override;
   void add(const std::string& name, const std::string& text) override;
-  // The work has come to its end: what stands here is in its result.
+  // Marks the work as ended: its result holds all pieces.
   void end();
 
  private:
@@ -55,7 +55,7 @@ class Journal : public PieceStore {
   };
 
   Journal(std::filesystem::path file, int descriptor);
-  // Locked against other runs.
+  // Opens the file, locked against other runs.
   static Journal writable(const std::filesystem::path& file);
   void start(const JournalHead& head);
   void refuse_unfinished(const JournalHead& head) const;
@@ -76,8 +76,8 @@ class Journal : public PieceStore {
   mutable std::mutex mutex_;
 };
 
-// A memory of pieces in a store, which must outlive it; one without a store remembers nothing.
-// A text that is no piece counts as not written.
+// A memory of pieces in a store, which must outlive it; null: remembers nothing. A text that is no
+// piece counts as not written.
 template <class Piece>
 PieceMemory<Piece> memory_in(PieceStore* store) {
   if (!store) return {};
@@ -92,7 +92,7 @@ PieceMemory<Piece> memory_in(PieceStore* store) {
           }};
 }
 
-// The pieces of the work, of whatever share, that none of the journals has.
+// The pieces of the work, of any share, that none of the journals has.
 std::vector<std::size_t> missing_pieces(const JournalHead& head,
                                         const std::vector<const Journal*>& journals);
 

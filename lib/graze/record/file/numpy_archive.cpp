@@ -19,7 +19,7 @@ static_assert(std::endian::native == std::endian::little, "'<f8' is how numbers 
 constexpr std::size_t kBlock = std::size_t{1} << 20;         // numbers
 constexpr std::size_t kArchivePiece = std::size_t{1} << 20;  // bytes
 
-// What stands before the numbers of an array; these begin at a multiple of 64 bytes.
+// The header of an array; its numbers begin at a multiple of 64 bytes.
 std::string array_head(std::size_t count) {
   constexpr std::size_t kBefore = 10, kAligned = 64;
   std::string text =
@@ -58,7 +58,7 @@ constexpr std::uint64_t kElsewhere = 0xffffffff;  // the number stands in the 64
 constexpr std::uint64_t kVersion = 45;            // the first with 64 bits
 constexpr std::uint64_t kDate = 1 << 5 | 1;       // 1 January 1980, as NumPy dates its own
 
-// What both records of a member say of it.
+// The fields that both records of a member share.
 Packed& add_description(const ArchiveMember& member, std::uint64_t extra, Packed& record) {
   constexpr std::uint64_t kNoFlags = 0, kStored = 0, kTime = 0;
   record.add<2>(kVersion).add<2>(kNoFlags).add<2>(kStored).add<2>(kTime).add<2>(kDate);
@@ -139,7 +139,7 @@ PendingFile NumpyArchive::finished() {
     size += bytes.size();
   };
   for (std::size_t j = 0; j < columns_.size(); ++j) {
-    // The sum stands before what it is of.
+    // The checksum is written before its contents.
     boost::crc_32_type sum;
     sum.process_bytes(head.data(), head.size());
     read_column(j, [&](std::string_view bytes) { sum.process_bytes(bytes.data(), bytes.size()); });

@@ -14,15 +14,15 @@
 
 namespace graze {
 
-// Takes rows as they come and makes columns of them at the end. Until then they lie in a file
+// Takes rows as they come and makes columns of them at the end. Until then they are in a file
 // without a name beside the archive, in blocks that hold column after column, so that memory holds
 // one block however many rows there are. All functions throw FileError.
 class NumpyArchive {
  public:
-  // To stand as `file`, with at least one column.
+  // For the archive `file`, with at least one column.
   NumpyArchive(const std::filesystem::path& file, std::vector<std::string> columns);
 
-  // Room for one more row, of as many numbers as there are columns, to be written at once.
+  // Space for one more row, one number for each column, to be filled at once.
   double* add();
   // The archive, complete but for its commit. Nothing can be added to this any more.
   PendingFile finished();

@@ -16,7 +16,7 @@ namespace graze {
 namespace {
 
 constexpr std::size_t kBuffer = 64 * 1024;
-// As many programs may write the same file at the same time.
+// Largest number of programs that may write the same file at the same time.
 constexpr int kNames = 1000;
 
 // Whether the open file still has that name, no other name, and is of this user.
@@ -28,10 +28,10 @@ bool is_ours(int descriptor, const std::string& name) {
          open.st_nlink == 1 && open.st_uid == ::geteuid();
 }
 
-// Opens the file of that name for this program alone, empty. Returns -1 where another program has
-// it, or where it is not ours to write over; a file that cannot be opened at all sets `error`.
+// Opens the file of that name for this program alone, empty. Returns -1 when another program has
+// it, or when it may not be overwritten; sets `error` when it cannot be opened at all.
 int open_alone(const std::string& name, int& error) {
-  // A pipe of that name shall not be waited for; the umask applies to the mode.
+  // Does not wait for a pipe of that name; the umask applies to the mode.
   const int descriptor =
       ::open(name.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
              S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH);
@@ -39,8 +39,8 @@ int open_alone(const std::string& name, int& error) {
     error = errno;
     return -1;
   }
-  // Where the disk knows no locks there are none. The name is looked at with the lock held: until
-  // then another program may have given this file its place.
+  // Where the disk supports no locks there are none. The name is checked with the lock held: until
+  // then another program may have moved this file to its place.
   const bool locked = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
   if (locked && is_ours(descriptor, name) && ::ftruncate(descriptor, 0) == 0) return descriptor;
   ::close(descriptor);
@@ -55,7 +55,7 @@ OpenFile::OpenFile(std::filesystem::path file) : path_(std::move(file)) {
     written_as_ = path_.string() + ".unfinished" + (i == 1 ? "" : fmt::format("-{}", i));
     error = EEXIST;
     descriptor_ = open_alone(written_as_, error);
-    // A link or a folder of that name is in the way of that name only.
+    // A link or a folder of that name only prevents the use of that name.
     const bool taken = error == EEXIST || error == ELOOP || error == EISDIR || error == ENXIO ||
                        (error == EACCES && ::access(written_as_.c_str(), F_OK) == 0);
     if (descriptor_ < 0 && !taken) break;

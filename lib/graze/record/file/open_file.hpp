@@ -1,9 +1,9 @@
 // A file that is being written, with a buffer in front of it.
 //
-// It stands beside its place as `<file>.unfinished`, which a lock of the system marks as in use.
-// The lock goes with the program, however that ends: what a killed program left is written over by
-// the next one, so that such files never pile up. Where that name is taken by a living program, or
-// by something that is not ours to write over, `<file>.unfinished-2` and so on are tried.
+// It is written beside its place as `<file>.unfinished`, which a lock of the system marks as in
+// use. The lock ends with the program in any case: the next program overwrites the file of a killed
+// one, so that such files never accumulate. Where that name is in use by a running program, or may
+// not be overwritten, `<file>.unfinished-2` and so on are tried.
 #pragma once
 
 #include <filesystem>

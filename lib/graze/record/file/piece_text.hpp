@@ -15,7 +15,7 @@ std::string piece_text(const SettledCell& cell);
 std::string piece_text(const ValueRun& run);
 std::string piece_text(const ComparedCell& cell);
 
-// Reads what `piece_text` wrote. False where it did not.
+// Reads the output of `piece_text`. False for any other text.
 bool read_piece(const std::string& text, SweepRow& row);
 bool read_piece(const std::string& text, SettledCell& cell);
 bool read_piece(const std::string& text, ValueRun& run);

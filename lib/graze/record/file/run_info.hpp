@@ -1,4 +1,4 @@
-// What made a result: enough to make it again.
+// Everything needed to repeat a result.
 #pragma once
 
 #include <string>
@@ -21,9 +21,9 @@ struct RunInfo {
   std::string scene_text;                                    // the scene in force, as TOML
   std::string scene_sha256;                                  // of scene_text
   std::vector<std::pair<std::string, OptionValue>> options;  // those that were given or used
-  // To call the program again: its arguments, and "NAME=VALUE" of what was set in the scene.
+  // The arguments of the program, and "NAME=VALUE" of what was set in the scene.
   std::vector<std::string> arguments{}, settings{};
-  Units units = Units::kSi;  // of the scene, in which its results are told
+  Units units = Units::kSi;  // of the scene, in which its results are given
 };
 
 // "0.1.0"

@@ -1,4 +1,4 @@
-// Text of any length on its way to where it is wanted, of which memory holds only a small part.
+// Text of any length on its way to a sink, of which memory holds only a small part.
 #pragma once
 
 #include <filesystem>
@@ -14,17 +14,17 @@ namespace graze {
 // Takes a text piece by piece.
 using TextSink = std::function<void(std::string_view)>;
 
-// A text that is collected, in memory while it is short, then in a file without a name: it goes
-// with the program, however that ends. Throws FileError.
+// A text that is collected, in memory while it is short, then in a file without a name, which
+// disappears with the program. Throws FileError.
 class Spool {
  public:
-  // Where to put a long text: in a folder, or among the temporary files.
+  // Long texts are put into the folder, or among the temporary files.
   Spool();
   explicit Spool(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   void append(std::string_view text);
   bool empty() const { return size_ == 0; }
-  // Hands out all of it, as often as wanted.
+  // Passes all of it to the sink, as often as called.
   void read(const TextSink& sink);
   // The bytes from `position` on, which must be there.
   std::string piece(std::size_t position, std::size_t size);

@@ -97,7 +97,7 @@ void TextReader::close() {
 
 bool TextReader::has_more() const { return !left_.empty() && left_.front() != ']'; }
 
-// What stands before the next comma or bracket.
+// The text up to the next comma or bracket.
 std::string_view TextReader::word() {
   separate();
   const std::string_view word = left_.substr(0, left_.find_first_of(",]"));

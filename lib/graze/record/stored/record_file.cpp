@@ -18,8 +18,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The file is an object of two lines and a bracket: who made it and how it was called, and the
-// values, which are the same however often the work was stopped and resumed.
+// The file is an object of two lines and a bracket: the program and its call, and the values, which
+// are the same however often the work was stopped and resumed.
 constexpr std::string_view kBetween = ",\n\"values\": ", kRecordEnd = "\n}\n";
 constexpr std::size_t kWhole = std::numeric_limits<std::size_t>::max() / 2;
 
@@ -114,7 +114,7 @@ void StoredResult::read_document(const TextSink& sink) const {
 }
 
 StoredResult read_result(const std::filesystem::path& place) {
-  std::error_code no_matter;  // what cannot be looked at cannot be read either
+  std::error_code no_matter;  // ignored: a file that cannot be inspected cannot be read either
   StoredResult result;
   result.folder = place;
   const bool names_file = place.filename() == kDocumentFile || place.filename() == kRecordFile;

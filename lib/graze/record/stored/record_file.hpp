@@ -18,7 +18,7 @@ inline constexpr const char* kRecordFile = "record.json";
 inline constexpr const char* kSceneFile = "scene.toml";
 inline constexpr const char* kDocumentFile = "result.json";
 
-// What a command can end with and be drawn from.
+// All results from which a picture can be drawn.
 using AnyRecord =
     std::variant<CheckRecord, SimulationRecord, OrbitRecord, BranchRecord, LociRecord,
                  DiagramRecord, RunDiagramRecord, MapRecord, ComparisonRecord, ComparisonMapRecord,
@@ -41,12 +41,12 @@ requires(
     return record.branches.outcome;
 }
 
-// What the file holds. `kind`: which of AnyRecord; `values`: what record_text made of it;
+// The text of the file. `kind`: index in AnyRecord; `values`: output of record_text;
 // `document_checksum`: of the document beside it.
 std::string record_file_text(const RunInfo& info, std::size_t kind, const std::string& values,
                              const std::string& document_checksum);
 
-// The place of a type in AnyRecord.
+// The index of a type in AnyRecord.
 template <class Record>
 std::size_t record_kind() {
   return AnyRecord(Record{}).index();
@@ -58,14 +58,15 @@ struct StoredResult {
   AnyRecord record;
   std::string document_checksum;
 
-  // The document, piece by piece, after it was found to be that of the record. Throws FileError.
+  // Passes the document on, piece by piece, after checking that it belongs to the record. Throws
+  // FileError.
   void read_document(const TextSink& sink) const;
 };
 
-// Reads a folder that --out wrote, given as that or as the result.json or record.json in it. Throws
-// FileError with a sentence that names the file and what to do: where one is missing, was cut short
-// or changed, or was written by another version of the program; where the folder holds a share of a
-// work only.
+// Reads a folder that --out wrote, given as the folder or as the result.json or record.json in it.
+// Throws FileError with a sentence that names the file and what to do: when one is missing, was cut
+// short or changed, or was written by another version of the program; when the folder holds only a
+// share of a work.
 StoredResult read_result(const std::filesystem::path& place);
 
 }  // namespace graze

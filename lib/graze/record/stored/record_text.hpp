@@ -1,4 +1,4 @@
-// Records as text that reads back to the last bit, for files to draw from again: all they hold but
+// Records as text that reads back to the last bit, for files to draw from again: everything except
 // what follows from the scene (record_fields.hpp).
 #pragma once
 
@@ -9,12 +9,12 @@
 
 namespace graze {
 
-// `Record`: any of record_names.hpp but of shares; they are instantiated in record_text_*.cpp.
+// `Record`: any of record_names.hpp except shares; they are instantiated in record_text_*.cpp.
 template <class Record>
 std::string record_text(const Record& record);
 
-// Reads what `record_text` wrote; without systems, and without the text of the scene. False where
-// it did not write that.
+// Reads the output of `record_text`; without systems, and without the text of the scene. False for
+// any other text.
 template <class Record>
 bool read_record_text(std::string_view text, Record& record);
 

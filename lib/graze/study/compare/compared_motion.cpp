@@ -12,8 +12,8 @@
 namespace graze {
 namespace {
 
-// Of what motions settle on; no power of two and no multiple of small orders, so that means do not
-// fall in step with what repeats within the period.
+// Samples per forcing period of a settled motion; no power of two and no multiple of small orders,
+// so that means are not synchronous with repetitions within the period.
 constexpr std::size_t kMeasuredSamplesPerPeriod = 509;
 
 bool was_stopped(const Simulation& run) {
@@ -35,7 +35,7 @@ bool add_first_impacts(const Scene& scene, const System& system, const State& st
   return !was_stopped(simulate(system, start, run, listeners));
 }
 
-// Over what is shown of the settled motion, once more. False where it was stopped.
+// Runs over the periods shown of the settled motion once more. False where it was stopped.
 bool add_settled(const Scene& scene, const System& system, const SweepRow& row,
                  const CompareOptions& options, ComparedMotion& motion) {
   const long long turns = shown_periods(row, options);
@@ -89,7 +89,7 @@ double apart(const std::vector<double>& one, const std::vector<double>& other, s
   return std::sqrt(squares / static_cast<double>(one.size()));
 }
 
-// A part of the larger size; none of nothing.
+// The difference as a part of the larger size; nullopt when both are zero.
 double part_of(double difference, double one, double other) {
   const double size = std::fmax(std::abs(one), std::abs(other));
   return size > 0.0 ? difference / size : 0.0;

@@ -11,7 +11,7 @@
 namespace graze {
 namespace {
 
-// Nothing where it was stopped.
+// Returns nullopt when it was stopped.
 std::optional<ComparedCell> compared_cell(const Scene& one, const Scene& other,
                                           const ComparisonMapOptions& options, std::size_t i) {
   ComparedCell cell;
@@ -31,7 +31,7 @@ std::optional<ComparedCell> compared_cell(const Scene& one, const Scene& other,
   return cell;
 }
 
-// The plane sets its two numbers in both scenes: they must not be all that tells these apart.
+// The plane sets its two numbers in both scenes; the scenes must differ in something else.
 void require_difference(const Scene& one, const Scene& other, const Plane& plane) {
   try {
     if (write_scene(scene_at(one, plane, 0)) != write_scene(scene_at(other, plane, 0))) return;

@@ -1,4 +1,4 @@
-// Where two choices agree: the difference of the motions of two scenes over a plane of numbers that
+// Where two models agree: the difference of the motions of two scenes over a plane of numbers that
 // both have.
 #pragma once
 
@@ -15,10 +15,10 @@ struct ComparedCell {
   bool is_known = false;  // false: it was not run
   AttractorClass one, other;
   MotionDifference difference;
-  std::string message;  // a sentence where there is something to say
+  std::string message;  // a sentence, or empty
 };
 
-// The share is of the cells, the memory too, "cell i".
+// Shares are of the cells; pieces are named "cell i".
 struct ComparisonMapOptions : CompareOptions, Plane, SharedWork<ComparedCell> {};
 
 struct ComparisonMap {
@@ -27,10 +27,9 @@ struct ComparisonMap {
   StopReason stopped = StopReason::kNone;
 };
 
-// Every cell is two runs of its own, so the map depends on nothing but its values. Cells whose
-// values a scene does not allow are such that say so. Requires of both scenes what compared_motion
-// does; throws InputError as require_plane,
-// and where the plane leaves nothing that tells the scenes apart.
+// Every cell consists of two runs of its own, so the map depends on its values alone. A cell whose
+// values a scene does not allow says so. Requires of both scenes the same as compared_motion;
+// throws InputError as require_plane, and where the scenes differ only in the numbers of the plane.
 ComparisonMap compare_over(const Scene& one, const Scene& other,
                            const ComparisonMapOptions& options);
 

@@ -15,20 +15,20 @@
 namespace graze {
 namespace {
 
-// Steps a contact: from where its course is resolved by any method, doubled.
+// Numbers of steps in a contact: from a number that resolves it with any method, doubled.
 constexpr int kFewestSteps = 8, kDoublings = 9;
-// The slope is taken where the leading term is the error: from so many steps on, and above what
-// rounding adds up to.
+// The slope is taken where the leading term is the error: from this number of steps on, and above
+// the accumulated rounding.
 constexpr int kFewestForSlope = 32;
 constexpr double kRounding = 3e-12;
-// s of computing time, a row.
+// Computing time for a row, s.
 constexpr double kEnough = 0.01;
 
 struct BodyState {
   double depth = 0.0, rate = 0.0;  // m, m/s
 };
 
-// Nothing but what a textbook has.
+// The textbook method, without error control.
 BodyState runge_kutta_step(const ElasticContact& contact, const BodyState& at, double h) {
   const auto slope = [&](const BodyState& s) {
     const double force =
@@ -44,8 +44,8 @@ BodyState runge_kutta_step(const ElasticContact& contact, const BodyState& at, d
           at.rate + h / 6.0 * (a.rate + 2.0 * b.rate + 2.0 * c.rate + d.rate)};
 }
 
-// Steps that fit into the contact `steps` times and a part, and the part of a step that passes
-// before it begins: the places are spread evenly over both.
+// The contact lasts `steps` steps and a part of one, and begins after a part of a step: both parts
+// are spread evenly.
 struct Place {
   double step = 0.0, lead = 0.0;  // s
 };
@@ -120,7 +120,7 @@ double ElasticContact::duration() const {
 ContactCrossing cross_without_location(const ElasticContact& contact, double step, double lead) {
   BodyState at{-lead * contact.speed, contact.speed};
   ContactCrossing crossing;
-  // A contact that gives back a tenth of its speed ends long before this.
+  // A contact that returns a tenth of its speed ends long before this.
   const auto most = static_cast<long long>(std::ceil((20.0 * contact.duration() + lead) / step));
   for (long long i = 1; i <= most; ++i) {
     at = runge_kutta_step(contact, at, step);

@@ -1,17 +1,17 @@
 // The order of the classical Runge-Kutta method across one contact. A body of mass m meets an
-// elastic spring F = k x^n at speed v; what it does is known in closed form,
+// elastic spring F = k x^n at speed v; its motion is known in closed form,
 //
 //   x_max^(n+1) = (n+1) m v^2/(2 k),   duration = c x_max/v,
 //   c = 2 sqrt(pi)/(n+1) G(1/(n+1))/G(1/(n+1) + 1/2)     (G: the gamma function; pi for n = 1),
 //
-// and it leaves as fast as it came. Two ways to integrate it:
+// and it leaves at the speed at which it came. Two ways to integrate it:
 //   - located: steps begin where the contact begins, and the last one ends where it ends (simulate
 //     with StepMethod::kRk4);
-//   - not located: steps go on as they fall, and the force sets in and ceases within one.
-// A step across a place where a derivative of the force jumps errs by the power of its length that
-// this jump has, however high the order of the method: h^2 for the linear spring, whose slope jumps
-// at x = 0. Locating the ends mends that. It does not mend Hertz's spring: x^(3/2) has no second
-// derivative at x = 0, and steps that begin or end there err by h^(5/2).
+//   - not located: steps are not adapted, and the force sets in and ceases within one.
+// A step across a place where a derivative of the force jumps has an error of the power of its
+// length that this jump has, however high the order of the method: h^2 for the linear spring, whose
+// slope jumps at x = 0. Locating the ends removes this error, but not for Hertz's spring: x^(3/2)
+// has no second derivative at x = 0, and steps that begin or end there have errors of h^(5/2).
 //   E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, section II.6;
 //   K. L. Johnson, Contact Mechanics, section 11.4 (the duration).
 #pragma once
@@ -34,7 +34,7 @@ struct ElasticContact {
   double duration() const;  // s
 };
 
-// What came of one contact that was integrated.
+// The result of integrating one contact.
 struct ContactCrossing {
   bool ended = false;         // the body got away
   double duration = 0.0;      // s
@@ -42,20 +42,20 @@ struct ContactCrossing {
   long long evaluations = 0;  // of the right-hand side; with the exact flow of gaps too
 };
 
-// The comparator: Runge-Kutta steps of one length, s, straight across the contact, which begins
-// `lead` s after the first of them does. The ends are told afterwards, by the straight flight
-// before and after.
+// For comparison: Runge-Kutta steps of one length, s, straight across the contact, which begins
+// `lead` s after the first step. The ends are found afterwards, from the straight flight before and
+// after.
 ContactCrossing cross_without_location(const ElasticContact& contact, double step, double lead);
-// As a simulation does it; `step` 0: by the exact flow.
+// By a simulation; `step` 0: with the exact flow.
 ContactCrossing cross_with_location(const ElasticContact& contact, double step);
 
-// The larger one of the errors of speed and duration, each relative to itself.
+// The larger of the relative errors of speed and duration.
 double crossing_error(const ElasticContact& contact, const ContactCrossing& crossing);
 
 struct ContactOrderRow {
   int steps = 0;       // in the contact; 0: the exact flow
   double step = 0.0;   // s
-  double error = 0.0;  // the largest of kContactPlaces places of the contact's ends in their steps
+  double error = 0.0;  // the largest for kContactPlaces places of the contact within the steps
   double seconds = 0.0;      // of computing time, a contact
   double evaluations = 0.0;  // a contact
 };
@@ -69,12 +69,13 @@ struct ContactOrder {
   std::vector<ContactOrderRow> rows;
 };
 
-// Of a linear spring, of Hertz's, and of the given one if it is neither; all as deep as that.
+// Orders for a linear spring, for Hertz's, and for the given one if it is neither; with the same
+// depth.
 std::vector<ContactOrder> contact_orders(const ElasticContact& contact,
                                          const StopSignal& stop = {});
 
-// The first contact of the motion with a compliant stop, as of the body that the structure is to a
-// blow there, 1/|row|^2, without the damping of the stop; why there is none where it says so.
+// The first contact of the motion with a compliant stop, for a body with the effective mass of the
+// structure there, 1/|row|^2, without the damping of the stop; or why there is none.
 struct FirstContact {
   int stop = -1;  // index from 0
   ElasticContact contact;

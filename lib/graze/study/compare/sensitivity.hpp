@@ -23,12 +23,12 @@ struct SensitivityCurve {
   double second = 0.0;  // value of the other parameter, where there is one
   std::vector<ValueRun> runs;
   ValueRun reference;
-  // Of probe i at value k: s1(k, i); not finite where a mean or a reference is zero or a run did
-  // not reach its end.
+  // Values of probe i at value k: s1(k, i); not finite where a mean or a reference is zero or a run
+  // did not reach its end.
   Matrix s1, s2;
 };
 
-// In the order of `seconds`; those that were finished. Throws InputError as run_series does.
+// Finished curves, in the order of `seconds`. Throws InputError as run_series does.
 std::vector<SensitivityCurve> sensitivities(const Scene& scene, const SensitivityOptions& options);
 
 }  // namespace graze

@@ -10,13 +10,13 @@
 namespace graze {
 namespace {
 
-// v_c in parts of the speed at the stops.
+// v_c relative to the speed at the stops.
 constexpr std::array<double, 8> kClosures = {3e-2, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
-// Impacts beyond the chatter that are compared: few, for each magnifies every error alike.
+// Impacts beyond the chatter that are compared: few, since each magnifies every error.
 constexpr std::size_t kImpactsAfter = 4;
 
-// How many impacts faster than the closure speed come before the first chatter is summed; nothing
-// where none is.
+// Number of impacts faster than the closure speed before the first chatter is summed; nullopt when
+// none is.
 std::optional<std::size_t> impacts_before_chatter(const System& system, const State& start,
                                                   const SimulationOptions& options) {
   std::size_t impacts = 0;
@@ -47,7 +47,7 @@ ClosureCosts closure_costs(const System& system, const State& start,
   run_options.closure_speed = fastest;
   const std::optional<std::size_t> before = impacts_before_chatter(system, start, run_options);
   if (!before) return costs;
-  // What the tail leaves shows in the impacts after it.
+  // The error of the summed tail shows in the impacts after it.
   const std::size_t impacts = *before + kImpactsAfter;
   const RunComparison comparison(
       reference_run(system, start, {impacts, fastest, options.longest, options.stop}), impacts,

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kMostCorrections = 12;
 constexpr double kCorrectorSeconds = 0.2;
-// A solution is known this well, rad: Newton's last steps are rounding.
+// Accuracy of a solution, rad: Newton's last steps are rounding.
 constexpr double kLastDigits = 1e-14;
 
 class NewtonCosts {

@@ -14,11 +14,11 @@ using Numbers = RealVector<Extended>;
 
 // Extrapolations within a step: order 2 more for each.
 constexpr int kColumns = 14;
-// Of the duration that the approach speed leads to: where steps begin, and below which the rest of
-// a contact is a straight line to second order.
+// Relative to the expected duration of the contact: the first step, and the remaining time below
+// which the contact is a straight line to second order.
 constexpr double kFirstStep = 1e-10, kLastStep = 1e-12;
 constexpr double kGrowth = 1.6;
-// A contact takes some hundred steps; with many modes as many more as these oscillate.
+// A contact takes some hundred steps; with many modes more, as these oscillate.
 constexpr int kMostContactSteps = 200000;
 
 Extended power(const Extended& x, double exponent) {
@@ -33,7 +33,7 @@ Extended power(const Extended& x, double exponent) {
   return x < 0 ? Extended(-whole) : whole;
 }
 
-// Of something that ends the contact where it falls through zero.
+// A quantity that ends the contact when it falls through zero.
 struct Falling {
   Extended value, rate;
 };
@@ -48,8 +48,8 @@ class Law {
   }
   Extended elastic(const Extended& x) const { return law_.stiffness * power(x, law_.exponent); }
   bool parts_early() const { return law_.parts_early(); }
-  // What falls through zero where the force does, without the power of x that all its terms hold,
-  // and its rate at the acceleration a.
+  // The force divided by the power of x that all its terms share, which falls through zero with the
+  // force, and its rate at the acceleration a.
   Falling grip(const Extended& x, const Extended& v, const Extended& a) const {
     const double n = law_.exponent, c = law_.coefficient, k = law_.stiffness;
     switch (law_.damping) {
@@ -87,7 +87,7 @@ class Law {
     }
     return 0;
   }
-  // Where the damping sets in.
+  // Derivative of T where the damping sets in.
   Extended shape_slope(const Extended& x) const {
     if (law_.damping != ContactDamping::kOnset || !(x < law_.onset_depth)) return 0;
     return 2.0 * law_.onset_sharpness / law_.onset_depth * shape(x);
@@ -145,12 +145,12 @@ class Equations {
       if (!(end.value > 0)) return true;
     return false;
   }
-  // Beyond what is left of a force where it ended.
+  // Whether the force exceeds what is left of it at the end of the contact.
   bool pushes(const Numbers& x) const {
     const Extended deep = depth(x);
     return law_.force(deep, rate(x)) > 1e-9 * law_.elastic(deep);
   }
-  // Whether a step h from x may err by so much.
+  // Whether this error of a step h from x is allowed.
   bool allows(const Numbers& off, const Numbers& x, const Extended& h) const {
     const Extended speed = x.segment(n_, n_).norm();
     return off.head(n_).norm() <= kReferenceTolerance * (x.head(n_).norm() + h * speed) &&
@@ -185,7 +185,7 @@ struct Extrapolated {
   int columns = 0;
 };
 
-// Nothing where the extrapolations do not agree, or it was asked to stop.
+// Returns nullopt when the extrapolations do not agree, or it was asked to stop.
 std::optional<Extrapolated> extrapolate(const Equations& equations, const Numbers& x,
                                         const Extended& step, const StopSignal& stop) {
   const Numbers first = equations.slope(x);
@@ -218,7 +218,7 @@ class Follower {
     unit_ = expected_duration();
     run_to_end();
     result_.separation = result_.end = s_;
-    // Of a depth that ended the contact next to nothing is left.
+    // After a contact that ended at zero depth only a remainder of the depth is left.
     if (result_.message.empty() &&
         equations_.depth(x_) > kLastStep * unit_ * abs(equations_.rate(x_))) {
       equations_.loaded = false;
@@ -231,7 +231,7 @@ class Follower {
   }
 
  private:
-  // Of an elastic contact of the body that the structure is to a blow there.
+  // Duration of an elastic contact of a body with the effective mass of the structure there.
   Extended expected_duration() const {
     const Stop& stop = system_.stops[static_cast<std::size_t>(stop_)];
     const double n = stop.force().exponent + 1.0;
@@ -261,7 +261,7 @@ class Follower {
     result_.message = "a contact took too many steps";
   }
 
-  // To the end, along straight lines; nothing where none is neared.
+  // Time to the end, along straight lines; nullopt when no end is approached.
   std::optional<Extended> time_left() const {
     std::optional<Extended> left;
     for (const Falling& end : equations_.ends(x_))

@@ -12,8 +12,8 @@
 namespace graze {
 namespace {
 
-// From one rung of a ladder to the next a step gets shorter by this factor, a tolerance smaller by
-// the other.
+// From one rung of a ladder to the next a step is shorter by the first factor, a tolerance smaller
+// by the second.
 constexpr double kStepRatio = 4.0, kToleranceRatio = 100.0;
 constexpr double kFirstTolerance = 1e-2, kLastTolerance = 1e-14;
 constexpr int kMostRungs = 14;

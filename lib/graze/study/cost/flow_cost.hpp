@@ -1,5 +1,5 @@
-// What accuracy costs in time: every flow over its ladder of settings, against a reference in 50
-// digits.
+// The cost of accuracy in time: every flow over its ladder of settings, compared with a reference
+// in 50 digits.
 #pragma once
 
 #include <functional>
@@ -23,7 +23,7 @@ struct FlowCost {
 struct FlowCosts {
   std::size_t impacts = 0;  // compared
   double end_time = 0.0;    // s, of the compared motion
-  double period = 0.0;      // s, what costs are given per: a forcing period, or one second
+  double period = 0.0;      // s, to which costs refer: a forcing period, or one second
   bool forced = false;
   bool compliant = false;  // some stop is: impacts are contacts there, with two instants each
   bool turns = false;      // on a hub: the reference is that of stepped_reference.hpp
@@ -40,17 +40,17 @@ struct FlowCostOptions {
   // s; a ladder goes on while a run takes no longer than this
   double row_seconds = kRowSeconds;
   double speed = 1.0;  // of the modal motion, kg^1/2 m/s (StepSetting)
-  // m/s. The tail of a chatter from here on is summed; of slower impacts only the reference knows.
+  // m/s, below which the tail of a chatter is summed; only the reference has slower impacts.
   double closure_speed = 0.0;
   long long max_impacts = kDefaultImpactBudget;  // of every run
   StopSignal stop;
   std::function<void(double)> progress;  // part of the ladder
 };
 
-// Runs one after the other, on this thread alone.
+// Runs one after the other, in this thread alone.
 FlowCosts flow_costs(const System& system, const State& start, const FlowCostOptions& options);
 
-// The row that costs least among those with no more than the allowed error; null where none is.
+// The cheapest row with at most the allowed error; null where there is none.
 const FlowCost* cheapest(const FlowCosts& costs, double allowed);
 
 }  // namespace graze

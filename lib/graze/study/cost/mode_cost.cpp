@@ -12,12 +12,12 @@
 namespace graze {
 namespace {
 
-// Computing time is taken over so many forcing periods at most.
+// Computing time is measured over at most this many forcing periods.
 constexpr double kTimedPeriods = 20.0;
 
 int most_compared(const Scene& scene) { return scene.hub ? kMostModesOnHub : kMostModesCompared; }
 
-// And the scene's own.
+// The numbers of modes to compare, with the scene's own.
 std::set<int> numbers(const Scene& scene) {
   std::set<int> list = {1, 2, 3, 4, 5, 6, 8, 12, 16, 24, 32, 48, scene.modes()};
   std::erase_if(list, [most = most_compared(scene)](int modes) { return modes >= most; });
@@ -34,7 +34,7 @@ struct Prepared {
   State start;
 };
 
-// Nothing where the scene does not allow so many: its stop may be no collocation point then.
+// Returns nullopt when the scene does not allow that number: its stop may be no collocation point.
 std::optional<Prepared> with_modes(Scene scene, int modes) {
   std::get<Beam>(scene.structure).modes = modes;
   try {

@@ -16,8 +16,8 @@ namespace graze {
 namespace {
 
 constexpr double kReferenceSamplesPerPeriod = 16.0;
-// A part of the speed of the motion that summing a chatter's tail from errs by its square: beyond
-// double precision, and far from the last digit of the reference.
+// Closure speed relative to the speed of the motion. Summing the tail of a chatter has an error of
+// its square: beyond double precision, and far from the last digit of the reference.
 constexpr double kClosure = 1e-16;
 
 // Flights are those of the same structure against rigid stops: each ends where a stop is reached.
@@ -95,7 +95,7 @@ class Reference {
         if (is_compliant(walk_->stop())) run_.message = "a compliant stop is reached at rest";
         return;
       case WalkStep::kFailure:
-        // What was stopped has not failed.
+        // A run that was stopped has not failed.
         if (!options_.stop.requested()) run_.message = walk_->failure();
         return;
       default:
@@ -140,7 +140,7 @@ class Reference {
     const RealVector<Extended> row = left.row.cast<Extended>();
     run_.impacts.push_back({static_cast<double>(began + contact.separation), stop,
                             static_cast<double>(-row.dot(contact.qdot)), true});
-    // Onto the surface to all digits: a motion that starts beyond a stop is none.
+    // Moves the state onto the surface to all digits: a start beyond a stop is not allowed.
     const RealVector<Extended> on_it =
         contact.q + (Extended(left.gap) - row.dot(contact.q)) / row.squaredNorm() * row;
     const Instant<Extended> now =
@@ -148,7 +148,8 @@ class Reference {
     motion_.emplace(flying_, now, on_it, contact.qdot);
     motion_->stop_on(options_.stop);
     walk_.emplace(flying_, *motion_, closure_);
-    // Somewhat beyond the contact in any case, so that its end is within the run.
+    // The run ends somewhat after the contact in any case, so that the contact's end is within the
+    // run.
     end_ = std::max(end_, time() + 0.5 * piece_);
   }
 
@@ -162,7 +163,7 @@ class Reference {
               [](const auto& a, const auto& b) { return a.stop < b.stop; });
   }
 
-  // Half the way along the arc that was flown last.
+  // Goes half the way along the last arc.
   void fly_back(double from) {
     RealVector<Extended> q = motion_->q(), qdot = motion_->qdot();
     const double half = 0.5 * (time() - from);
@@ -178,8 +179,8 @@ class Reference {
   Extended closure_;
   std::optional<MotionWalk<Extended>> walk_;
   double piece_, end_, next_sample_;  // s
-  std::size_t met_ = 0;               // impacts that are told, and contacts
-  bool enough_ = false;               // of them, as the flight began
+  std::size_t met_ = 0;               // impacts that are recorded, and contacts
+  bool enough_ = false;               // there were enough of them as the flight began
   bool over_ = false;
   ReferenceRun run_;
 };

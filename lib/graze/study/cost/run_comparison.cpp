@@ -7,7 +7,8 @@
 namespace graze {
 namespace {
 
-// Instants at which a stop is met or left; an impact of a rigid one is both.
+// Whether the event is an instant at which a stop is met or left; an impact of a rigid stop is
+// both.
 bool is_instant(const Event& event, double slowest) {
   if (event.kind == EventKind::kImpact) return event.speed > slowest;
   return event.kind == EventKind::kContact || event.kind == EventKind::kSeparation;
@@ -58,12 +59,12 @@ RunError RunComparison::of(const System& system, const State& start,
   return error;
 }
 
-// One too many is as wrong as one too few; and each has to be nearer to the impact that it stands
-// for than to any other on that stop, and to the start; the beginning of a contact to its beginning
+// A surplus impact is as wrong as a missing one. Each has to be nearer to its counterpart than to
+// any other impact on that stop, and to the start; the beginning of a contact to its counterpart
 // than to that of another, and likewise its end.
 bool RunComparison::agrees(const std::vector<ReferenceImpact>& impacts) const {
   const std::vector<ReferenceImpact>& meant = reference_.impacts;
-  // Where the reference had to end early another may come there or not.
+  // Where the reference ended early a further impact may be there or not.
   const bool cut = !reference_.message.empty();
   if (cut ? impacts.size() < meant.size() : impacts.size() != meant.size()) return false;
   for (std::size_t i = 0; i < meant.size(); ++i) {
@@ -85,7 +86,7 @@ double RunComparison::time_error(const std::vector<ReferenceImpact>& impacts) co
   return error;
 }
 
-// Nothing where none was compared.
+// Returns nullopt when the reference has no samples.
 std::optional<double> RunComparison::displacement_error(const std::vector<State>& samples) const {
   if (reference_.samples.empty()) return {};
   double error = 0.0, size = 0.0;

@@ -1,4 +1,4 @@
-// How far a run is from a reference of the same motion.
+// The error of a run compared with a reference of the same motion.
 #pragma once
 
 #include <optional>
@@ -12,25 +12,25 @@ namespace graze {
 
 struct RunError {
   bool impacts_agree = false;
-  // Largest error of the time of an impact, of the beginning or the end of a contact, s; of a
+  // Largest error of the time of an impact, or of the beginning or the end of a contact, s; for a
   // motion without impacts largest error of the displacements relative to their largest size.
-  // Absent where the run failed or lost the sequence.
+  // Absent where the run failed or its sequence of impacts differs.
   std::optional<double> error;
-  // Of the state at the end, displacements times frequencies and velocities, relative to a speed;
-  // absent likewise.
+  // Error of the state at the end, displacements times frequencies and velocities, relative to a
+  // speed; absent likewise.
   std::optional<double> state_error;
   std::string message;  // why the run failed
 };
 
 class RunComparison {
  public:
-  // Over the first `impacts` of the reference, or all if it has fewer; those no faster than
+  // Compares the first `impacts` of the reference, or all if it has fewer; those no faster than
   // `slowest` (m/s) do not count. `speed`: of the motion, kg^1/2 m/s.
   RunComparison(ReferenceRun reference, std::size_t impacts, double slowest, double speed);
 
   const ReferenceRun& reference() const { return reference_; }
   std::size_t impacts() const { return impacts_; }  // compared
-  // The run from `start` that ends where the reference does.
+  // The error of the run from `start` that ends where the reference does.
   RunError of(const System& system, const State& start, const SimulationOptions& options) const;
 
  private:

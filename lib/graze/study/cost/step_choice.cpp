@@ -62,8 +62,8 @@ FlowDecision flow_decision(const Scene& scene) {
   const std::string why =
       "every effect in this scene is linear between impacts, so motion and first contact have "
       "closed forms: they ";
-  // Rounding enters at every impact and grows from one to the next: of twenty on the shipped scenes
-  // it leaves some 1e-13 of a forcing period.
+  // Rounding enters at every impact and grows from one to the next: after twenty on the shipped
+  // scenes it is some 1e-13 of a forcing period.
   constexpr double kRoundingOfImpacts = 1e-12;
   if (solver.tolerance < kRoundingOfImpacts)
     return {FlowChoice::kExact,
@@ -72,8 +72,8 @@ FlowDecision flow_decision(const Scene& scene) {
                               solver.tolerance)};
   const bool compliant = std::any_of(scene.stops.begin(), scene.stops.end(),
                                      [](const SceneStop& stop) { return stop.spring.has_value(); });
-  // How these errors grow from contact to contact is the motion's own, and steps made for a
-  // tolerance of their own may cost less: nothing is promised.
+  // The growth of these errors from contact to contact depends on the motion, and steps with a
+  // tolerance of their own may cost less: no accuracy is promised.
   if (compliant && has_closed_contacts(scene))
     return {FlowChoice::kExact,
             "every effect in this scene is linear, between contacts and while the same springs are "

@@ -9,14 +9,14 @@
 
 namespace graze {
 
-// Size of the modal motion, kg^1/2 m/s (StepSetting::speed): what the start brings along, what the
-// forcing gives within a radian, what the motion has at its stops.
+// Size of the modal motion, kg^1/2 m/s (StepSetting::speed): the largest of the initial speed, the
+// speed that the forcing gives within a radian, and the speed at the stops.
 double modal_speed(const System& system, const State& start);
 
-// The method of a flow that takes steps; absent: it is exact.
+// The method of a flow that takes steps; nullopt for the exact flow.
 std::optional<StepMethod> step_method(FlowChoice flow);
 
-// The flow that a scene runs on, and why: a sentence without its end.
+// The flow that a scene runs on, and why: a clause without a full stop.
 //
 // "auto" is decided by these rules, from what `graze cost` measures on the shipped scenes
 // (docs/accuracy.md; tests/study/flow_decision_test.cpp holds them to it):
@@ -34,21 +34,20 @@ struct FlowDecision {
 };
 FlowDecision flow_decision(const Scene& scene);
 
-// A method's steps where nothing else is asked: as long as is stable, and where the motion has no
-// rate of its own (free masses), as the way to its stops takes it.
+// A method's default steps: the longest stable ones, and where the motion has no rate of its own
+// (free masses), by the time that it takes to its stops.
 StepSetting stable_steps(const System& system, const State& start, StepMethod method);
 
-// How the motion is integrated step by step; absent where it is exact. Its tolerance is that of the
-// scene. Throws InputError for a step at which the method is not stable.
+// How the motion is integrated step by step; nullopt for the exact flow. Its tolerance is that of
+// the scene. Throws InputError for a step at which the method is not stable.
 std::optional<StepSetting> step_choice(const Scene& scene, const System& system,
                                        const State& start);
 
-// Throws InputError where the structure is on a hub, which nothing drives periodically; `what` is
-// done, e.g. "orbits are solved for".
+// Throws InputError where the structure is on a hub, which has no periodic forcing; `what` is the
+// task in the message, e.g. "orbits are solved for".
 void require_clamp(const Scene& scene, const char* what);
 
-// The same, and unless the scene's flow is the exact one; `what` is done, e.g. "orbits are
-// solved for".
+// The same, and unless the scene's flow is the exact one.
 void require_exact_flow(const Scene& scene, const char* what);
 
 }  // namespace graze

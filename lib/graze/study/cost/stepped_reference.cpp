@@ -46,7 +46,7 @@ SteppedRun run(const System& system, const State& start, const std::optional<Ste
   return found;
 }
 
-// How many instants of the two runs are the same.
+// Number of leading instants that agree in the two runs.
 std::size_t agreeing(const std::vector<ReferenceImpact>& a, const std::vector<ReferenceImpact>& b) {
   std::size_t count = 0;
   while (count < a.size() && count < b.size() && a[count].stop == b[count].stop &&
@@ -66,7 +66,7 @@ ReferenceRun stepped_reference(const System& system, const State& start,
   const SteppedRun other = run(system, start, {}, options.longest, options);
   ReferenceRun reference;
   std::size_t vouched = agreeing(pair.impacts, other.impacts);
-  // Whole contacts, and no more of them than were asked for.
+  // Keeps whole contacts, and no more than requested.
   std::size_t met = 0, kept = 0;
   while (kept < vouched && met < options.impacts) met += pair.impacts[kept++].leaves ? 0u : 1u;
   if (kept < vouched && pair.impacts[kept].leaves) ++kept;

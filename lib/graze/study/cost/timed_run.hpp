@@ -5,14 +5,14 @@
 
 namespace graze {
 
-// s: a row of a table of costs is measured no longer than this once one run has taken it.
+// s: the measurement for a row of a table ends when it has taken this long, after at least one run.
 inline constexpr double kRowSeconds = 0.5;
 
 struct TimedRun {
   Simulation run;
   double seconds = 0.0;  // of computing time, of one run
-  // The same, and what the run counts, per forcing period (per second without forcing); 0 where it
-  // did not get away from its start.
+  // The same, and the counts of the run, per forcing period (per second without forcing); 0 where
+  // the run did not advance.
   double seconds_per_period = 0.0, evaluations_per_period = 0.0, impacts_per_period = 0.0;
 };
 

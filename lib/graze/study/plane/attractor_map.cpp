@@ -34,7 +34,7 @@ class SpreadCells {
   }
 
  private:
-  // Every stride-th, from the middle of the first ones on.
+  // Takes every stride-th, starting from the middle of the first stride.
   struct Axis {
     int points = 0, stride = 1;
     int first() const { return (std::min(stride, points) - 1) / 2; }
@@ -97,7 +97,7 @@ class Mapper {
     co_return true;
   }
 
-  // False where the cell has no start, and says so.
+  // False where the cell has no start, which it then says.
   bool begin(std::size_t i, RowRun& run) const {
     try {
       run.scene = scene_at(scene_, map_.options, i);
@@ -111,7 +111,7 @@ class Mapper {
     return true;
   }
 
-  // What of a motion that has settled its row does not tell; false where it was stopped.
+  // Adds to a settled cell what its row does not contain; false where it was stopped.
   bool end(RowRun& run, MapCell& cell) const {
     if (map_.options.measure && !measure_row(run.scene, run.system, map_.options, run.row))
       return false;
@@ -133,7 +133,7 @@ class Mapper {
       settled.period_states = {period_states.front()};
   }
 
-  // Over what is shown of the motion, once more, for what its events do not tell.
+  // Runs over the shown periods once more, for quantities that the recorded impacts do not give.
   void look_at(const Scene& scene, const System& system, const SweepRow& row, MapCell& cell) const {
     for (const MetImpact& impact : row.motion.impacts)
       cell.peak_speed = std::max(cell.peak_speed, impact.speed);
@@ -153,11 +153,11 @@ class Mapper {
                              cell.attractor.status == SweepStatus::kNotPeriodic);
   }
 
-  // In the order of the cells, so that the names do not depend on who was first to finish.
+  // In the order of the cells, so that names do not depend on which thread finished first.
   void name_attractors() {
     std::optional<MotionScale> scale;
     if (map_.is_of_starts) scale = motion_scale(assemble(scene_));
-    // Each is as near to its orbit as asked for, in its own way.
+    // Each is within the requested nearness of its orbit, with different deviations.
     const double apart = 16.0 * map_.options.nearness;
     std::multimap<AttractorClass, int> known;
     for (std::size_t i = 0; i < map_.cells.size(); ++i) {

@@ -17,17 +17,17 @@
 namespace graze {
 namespace {
 
-// How far from its orbit a motion starts that is to settle on it, in units of the scale: so many
-// times nearer than that it has to come, which an orbit that repels never lets it, and so little
-// that only basins too narrow to matter are left.
+// Distance from its orbit of a motion that is to settle on it, relative to the nearness, in units
+// of the scale. A repelling orbit never lets it come nearer by this factor, and only basins too
+// narrow to matter are smaller.
 constexpr double kHasToShrink = 100.0;
 
-// So many times smaller a transient becomes within the periods that a motion is given.
+// Factor by which a transient shrinks within the periods of a motion.
 constexpr double kForgets = 100.0;
-// The most that is given to it for the sake of a mode that forgets slowly, as a multiple.
+// Largest factor on the periods for the sake of slowly decaying modes.
 constexpr double kMostForSlowModes = 4.0;
 
-// The periods asked for, and those that the mode with the least damping takes to forget.
+// The requested periods, or those in which the least damped mode decays.
 long long periods_to_forget(const System& system, const AttractorSearchOptions& options) {
   const double asked = static_cast<double>(options.periods);
   const double slow = std::log(kForgets) / (system.delta().minCoeff() * system.period());
@@ -76,7 +76,7 @@ class AttractorSearch {
       if (found_.finished && orbit.stable == true && !knows(orbit)) check(orbit);
   }
 
-  // On compliant stops it is a start, and tells nothing of how many there are.
+  // On compliant stops the closed form only gives starts, and not the number of orbits.
   bool holds_closed_form(int stop) const {
     return !compliant_ && closed_form(system_, stop, options_.period).form.has_value();
   }
@@ -87,7 +87,7 @@ class AttractorSearch {
            orbit.impacts.size() == 1 && holds_closed_form(orbit.impacts.front().stop);
   }
 
-  // Where it meets no stop it is stable: motions near it are linear. Without damping they stay
+  // A response that meets no stop is stable: motions near it are linear. Without damping they stay
   // near.
   void from_steady_response() {
     const PeriodicResponseAnswer answer = periodic_response(system_, 1);
@@ -106,7 +106,7 @@ class AttractorSearch {
     if (!solve_for(*from.orbit)) settle_from(from.start, "a neighbour's state");
   }
 
-  // Whether the orbit goes on here as a stable one.
+  // Whether a neighbour's orbit exists here as a stable one.
   bool solve_for(const Orbit& neighbour) {
     const auto is_like = [&](const Attractor& known) {
       return known.orbit && known.orbit->pattern().stops == neighbour.pattern().stops &&
@@ -121,7 +121,7 @@ class AttractorSearch {
     return true;
   }
 
-  // That a motion which repeats has settled on.
+  // The orbit that a repeating motion has settled on.
   std::optional<Orbit> solve(const SettledMotion& motion) const {
     return orbit_near(system_, motion, segment_options()).orbit;
   }
@@ -139,7 +139,7 @@ class AttractorSearch {
     const double part = kHasToShrink * options_.nearness;
     beside.q.array() += part * scale_.displacement;
     beside.qdot += part * scale_.velocity;
-    // An orbit that passes this near a stop at the start of its period is met from the free side.
+    // A start beyond a stop, beside an orbit that passes near it, is moved to the free side.
     if (!bring_clear(system_, beside)) beside = start;
     const SettledMotion motion = follow(beside, "beside an orbit", periods_to_shrink(orbit));
     if (!found_.finished) return;
@@ -151,8 +151,8 @@ class AttractorSearch {
     add({name, orbit, start});
   }
 
-  // Forcing periods in which the largest multiplier shrinks a deviation as asked for, and as much
-  // again for what a matrix may do before its powers shrink.
+  // Forcing periods in which the largest multiplier shrinks a deviation by the required factor, and
+  // as many again because a matrix may grow before its powers shrink.
   long long periods_to_shrink(const Orbit& orbit) const {
     const double largest = orbit.multipliers.empty() ? 0.0 : std::abs(orbit.multipliers[0].value);
     const double turns = largest > 0.0 ? 2.0 * std::log(kHasToShrink) / -std::log(largest) : 0.0;
@@ -206,8 +206,8 @@ class AttractorSearch {
       case SettledKind::kClear:
         return AttractorKind::kClear;
       default:
-        // Clear of the stops for as long as it is remembered: on its way to the steady response,
-        // or swinging beside it for ever.
+        // Clear of the stops for all recorded periods: on its way to the steady response, or
+        // oscillating beside it without end.
         return motion.impacts.empty() && !motion.sticks ? AttractorKind::kClear
                                                         : AttractorKind::kOther;
     }

@@ -1,10 +1,10 @@
-// What is stable at one place of a plane of two parameters: the attractors of one system, from the
-// closed form, from simulation, and from what places beside it have.
+// Stable motions at one place of a plane of two parameters: the attractors of one system, from the
+// closed form, from simulation, and from those of neighbouring places.
 //
-// Every orbit that its multipliers call stable is checked by simulation: a motion that starts
-// beside it has to settle on that very orbit. The other way round, a motion that settles on a
-// (p, 1) orbit has to be on one that the closed form gave, where that holds. With compliant stops
-// the closed form of rigid ones only gives starts.
+// Every orbit that is stable by its multipliers is checked by simulation: a motion that starts
+// beside it has to settle on that very orbit. Conversely, a motion that settles on a (p, 1) orbit
+// has to be on one from the closed form, where that applies. With compliant stops the closed form
+// of rigid ones only gives starts.
 #pragma once
 
 #include <compare>
@@ -19,16 +19,16 @@
 
 namespace graze {
 
-// In the order in which a label lists them.
+// In the order of a label.
 enum class AttractorKind {
-  kOrbit,   // impacts without sticking, both numbers at most twice those asked for
+  kOrbit,   // impacts without sticking, both numbers at most twice those requested
   kClear,   // meets no stop
   kSticks,  // with a stop closed for part of the time
   kAtRest,  // stays on a stop for ever
-  kOther    // orbits of longer periods or with more impacts; what repeats nothing
+  kOther    // orbits of longer periods or with more impacts; motions that do not repeat
 };
 
-// What counts as one in a label.
+// Motions with equal names are listed once in a label.
 struct MotionName {
   AttractorKind kind = AttractorKind::kOther;
   int period = 0, impacts = 0;                          // p and k of an orbit
@@ -40,7 +40,7 @@ std::string name_of(const MotionName& name);
 struct Attractor {
   MotionName name;
   std::optional<Orbit> orbit;
-  State start;  // at the start of a forcing period: the motion from here goes on along it
+  State start;  // a state of the motion at the start of a forcing period
 };
 
 struct AttractorSearchOptions {
@@ -50,8 +50,8 @@ struct AttractorSearchOptions {
   int random_starts = 1;         // motions besides
   std::uint64_t random_seed = 1;
   std::uint64_t first_draw = 0;  // of the random starts
-  // Forcing periods that a motion is followed at first; more, up to four times as many, where the
-  // structure forgets slowly.
+  // Forcing periods for which a motion is followed at first; up to four times as many where the
+  // structure decays slowly.
   long long periods = 1000;
   long long most_periods = 16000;                // while it comes nearer to a repetition
   double nearness = 1e-8;                        // of a motion to its orbit; see SettleOptions
@@ -61,29 +61,30 @@ struct AttractorSearchOptions {
 };
 
 struct PlaceAttractors {
-  std::vector<Attractor> list;  // each once; of those that are no orbits one a kind
-  // Orbits that are stable by their multipliers, but the motion that started beside them went
+  std::vector<Attractor> list;  // each once; of motions that are no orbits one of each kind
+  // Orbits that are stable by their multipliers, although the motion that started beside them went
   // elsewhere; they are not listed.
   std::vector<Orbit> refuted;
-  // Orbits that a simulation settled on, or a neighbour led to, and that the closed form should
-  // have had; they are listed.
+  // Orbits that a simulation settled on, or a neighbour led to, and that the closed form missed;
+  // they are listed.
   std::vector<Orbit> missed;
   int confirmed = 0;        // orbits that a motion started beside them settled on
-  int undecided = 0;        // came back to them, not as near as asked for within the periods given
-  int searched = 0;         // stops whose (p, 1) orbits the closed form gave
+  int undecided = 0;        // motions that returned to them, but not to the nearness within the
+                            // periods
+  int searched = 0;         // stops whose (p, 1) orbits are from the closed form
   long long simulated = 0;  // motions
   std::string message;      // of a motion that could not be followed
   bool finished = true;     // false: stopped before
 };
 
-// From the closed form, the steady response, the motion from `initial`, where there is one, and
-// random starts. Requires forcing and a stop.
+// Searches from the closed form, the steady response, the motion from `initial`, if there is one,
+// and random starts. Requires forcing and a stop.
 PlaceAttractors find_attractors(const System& system, const std::optional<State>& initial,
                                 const AttractorSearchOptions& options);
 
-// Goes on from what a neighbour has: its orbits are solved for anew here, and where that does not
-// lead to one, or it is no orbit, the motion from its state is followed. Counters and lists of
-// `known` grow; the attractors that are new stand behind those known.
+// Searches from the attractors of a neighbour: its orbits are solved for again here; where that
+// fails, or an attractor is no orbit, the motion from its state is followed. Extends counters and
+// lists of `known`; new attractors are appended.
 PlaceAttractors hand_on(const System& system, PlaceAttractors known,
                         const std::vector<const Attractor*>& from,
                         const AttractorSearchOptions& options);

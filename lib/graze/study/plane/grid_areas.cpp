@@ -12,7 +12,7 @@ class Grid {
   Grid(const std::vector<int>& keys, int columns)
       : keys_(keys), columns_(static_cast<std::size_t>(columns)) {}
 
-  // Calls `visit` with each neighbour; how many of the four there are.
+  // Calls `visit` with each neighbour; returns how many of the four there are.
   int visit_neighbours(std::size_t cell, const std::function<void(std::size_t)>& visit) const {
     int count = 0;
     const auto meet = [&](bool there, std::size_t other) {
@@ -28,7 +28,7 @@ class Grid {
     return count;
   }
 
-  // The cells that hang together with this one.
+  // The cells connected with this one.
   std::vector<std::size_t> fill(std::size_t first, std::vector<bool>& seen) const {
     std::vector<std::size_t> cells{first};
     seen[first] = true;
@@ -68,7 +68,7 @@ class Grid {
     return static_cast<double>(whole);
   }
 
-  // Edges from each cell to the nearest one at the area's boundary.
+  // Number of edges from each cell to the nearest one at the area's boundary.
   std::vector<int> depths_of(const std::vector<std::size_t>& cells) const {
     const auto index = [&](std::size_t cell) {
       return static_cast<std::size_t>(std::lower_bound(cells.begin(), cells.end(), cell) -
@@ -88,7 +88,7 @@ class Grid {
     while (!waiting.empty()) {
       const std::size_t cell = waiting.front();
       waiting.pop_front();
-      // All around are of the area: what borders on another one has its depth already.
+      // All neighbours belong to the area: cells at its boundary have their depth already.
       visit_neighbours(cell, [&](std::size_t other) {
         if (keys_[other] != keys_[cell] || depths[index(other)] >= 0) return;
         depths[index(other)] = depths[index(cell)] + 1;

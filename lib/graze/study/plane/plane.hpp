@@ -22,12 +22,12 @@ struct Plane {
   // Row by row: x runs within a row, y from row to row.
   std::size_t cells() const;
   std::size_t cell(int column, int row) const;
-  // Of the middle of a cell.
+  // Values in the middle of a cell.
   double x_at(std::size_t cell) const;
   double y_at(std::size_t cell) const;
 };
 
-// Throws InputError for a name that the scene does not have, one that stands for both, or an empty
+// Throws InputError for a name that the scene does not have, the same name twice, or an empty
 // range.
 void require_plane(const Scene& scene, const Plane& plane);
 

@@ -5,7 +5,7 @@
 namespace graze {
 namespace {
 
-// On which side of the line from a to b a point of the plane lies.
+// The side of the line from a to b on which a point of the plane lies.
 template <class A, class B, class Point>
 bool is_left(const A& a, const B& b, const Point& point) {
   return (b.value - a.value) * (point.second - a.second) >
@@ -22,7 +22,7 @@ bool passes(const OrbitLocus& locus, const RegionPlace& a, const RegionPlace& b)
   return false;
 }
 
-// Whether the search there came to its end.
+// Whether the search there was completed.
 bool is_known(const RegionPlace& place) { return place.finished && place.message.empty(); }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// Whether the loci of an orbit explain where it is stable: between two places side by side, at one
-// of which it is and at the other not, one of them has to pass. The two are found in different
-// ways, so that a locus which nothing led to shows.
+// Whether the loci of an orbit explain where it is stable: a locus has to pass between two
+// neighbouring places if it is stable at one of them only. Loci and stability are computed in
+// different ways, so that a missed locus shows.
 #pragma once
 
 #include <cstddef>
@@ -14,12 +14,12 @@ namespace graze {
 
 struct RegionBoundaries {
   int count = 0;  // pairs of places side by side
-  // Those that no locus passes between, by the places' indices.
+  // Neighbours, by the places' indices, without a locus between them.
   std::vector<std::pair<std::size_t, std::size_t>> open;
 };
 
-// Of the regions of the (p, k) orbits asked for. `traced`: loci of all kinds, of which parts that
-// are orbits of the system count.
+// For the regions of the requested (p, k) orbits. `traced`: loci of all kinds, of which the
+// admissible parts count.
 RegionBoundaries region_boundaries(const StableRegions& regions, const OrbitLoci& traced);
 
 }  // namespace graze

@@ -17,7 +17,7 @@
 namespace graze {
 namespace {
 
-// What the rounds take of the progress that is told; how many there will be is not known.
+// Part of the reported progress before the rounds, whose number is not known.
 constexpr double kOwnPart = 0.7;
 
 class RegionFinder {
@@ -46,7 +46,7 @@ class RegionFinder {
 
   StableRegions find() {
     look_everywhere();
-    // Across the plane and back, for what winds its way.
+    // Enough rounds across the plane and back, for winding regions.
     const int most = 2 * (options_.columns + options_.rows);
     while (result_.rounds < most && !stopped()) {
       if (!hand_on_once()) {
@@ -76,7 +76,7 @@ class RegionFinder {
                                     const std::optional<State>& start) const {
     AttractorSearchOptions search = options_.search;
     const State rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
-    // By the scene alone, so that it does not depend on what was handed on.
+    // By the scene alone, so that it does not depend on handed-on attractors.
     search.closure_speed = options_.closure_speed.value_or(
         default_closure_speed(system, start.value_or(rest), scene.solver.tolerance));
     return search;
@@ -108,7 +108,7 @@ class RegionFinder {
     place.finished = true;
   }
 
-  // One round; whether anything was there to be handed on.
+  // One round; returns whether anything could be handed on.
   bool hand_on_once() {
     std::vector<std::size_t> takers;
     std::vector<std::vector<const Attractor*>> offers(found_.size());
@@ -146,7 +146,7 @@ class RegionFinder {
     return offers;
   }
 
-  // Whether the scene allows the place, and it was looked at.
+  // Whether the scene allows the place, and it was searched.
   bool is_open(std::size_t i) const {
     return result_.places[i].finished && result_.places[i].message.empty();
   }
@@ -212,7 +212,8 @@ class RegionFinder {
   const StableRegionsOptions& options_;
   StableRegions result_;
   std::vector<PlaceAttractors> found_;  // at each place
-  std::vector<std::size_t> first_new_;  // in each list: what the last round added, to its end
+  std::vector<std::size_t> first_new_;  // start of the attractors that the last round added to each
+                                        // list
 };
 
 }  // namespace

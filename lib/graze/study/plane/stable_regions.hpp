@@ -1,11 +1,11 @@
-// What is stable where in a plane of two parameters of the scene: sampled at places, each the
+// Regions of stable motions in a plane of two parameters of the scene: sampled at places, each the
 // middle of a cell, and checked by simulation.
 //
-// Every place looks for attractors of its own (attractor_search.hpp); then, in rounds, it is handed
-// what the places beside it found in the round before, until nothing new is found anywhere. A round
-// sees only what the rounds before it left, so that results do not depend on how many threads share
-// the work. Regions are the connected places with the same attractors. What is smaller than the
-// cells, and what none of the starts leads to, is missed.
+// Every place searches for attractors by itself (attractor_search.hpp); then, in rounds, it gets
+// those that its neighbours found in the round before, until nothing new is found anywhere. A round
+// only uses results of earlier rounds, so that results do not depend on the number of threads.
+// Regions are the connected places with the same attractors. Regions smaller than the cells, and
+// attractors that none of the starts leads to, are missed.
 #pragma once
 
 #include <functional>
@@ -21,16 +21,16 @@ namespace graze {
 struct StableRegionsOptions {
   double from = 0.0, to = 0.0, second_from = 0.0, second_to = 0.0;  // SI
   int columns = 40, rows = 40;  // places over the first parameter and over the second
-  // Periods, impacts, budgets. Its closure speed is that of each place where none is given here.
+  // Periods, impacts, budgets. Where no closure speed is given here each place has its own.
   AttractorSearchOptions search;
   std::optional<double> closure_speed;            // m/s
   int threads = 0;                                // 0: all cores
   std::function<void(double fraction)> progress;  // called by one thread at a time
 };
 
-// Names of what is stable, sorted, each once.
+// Names of stable motions, sorted, each once.
 using StableNames = std::vector<MotionName>;
-// "(1,1) + no impact"; "" of none.
+// "(1,1) + no impact"; "" for none.
 std::string label_of(const StableNames& names);
 
 struct RegionPlace {
@@ -38,7 +38,7 @@ struct RegionPlace {
   bool finished = false;
   StableNames stable;
   int area = -1;        // index into the areas; -1: not finished
-  std::string message;  // a sentence where nothing was found or something could not be followed
+  std::string message;  // a sentence when nothing was found or something could not be followed
 };
 
 struct RegionArea {
@@ -72,7 +72,7 @@ struct StableRegions {
 };
 
 // Throws InputError where the scene has no such parameters. Requires forcing and a stop. Places
-// that the scene does not allow have a message and nothing stable.
+// that the scene does not allow have a message and no stable motions.
 StableRegions find_stable_regions(const Scene& scene, const std::string& first,
                                   const std::string& second, const StableRegionsOptions& options);
 

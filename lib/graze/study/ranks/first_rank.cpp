@@ -78,7 +78,7 @@ bool FirstRank::do_blocks(const BlockWork& work, int threads, const StopSignal& 
   return true;
 }
 
-// The blocks of which nothing is left to do but to recall them are not worth a message.
+// Blocks whose pieces only have to be recalled are not worth a message.
 void FirstRank::start_phase(const BlockWork& work, const StopSignal& stop) {
   const std::lock_guard lock(mutex_);
   ++phase_;
@@ -104,7 +104,8 @@ void FirstRank::work_here() {
   }
 }
 
-// Waits where none is left but others may leave one unfinished; nothing where that is over.
+// Waits while there is none left but others may return one unfinished; nullopt when the phase is
+// over.
 std::optional<std::size_t> FirstRank::next_block(bool waits) {
   std::unique_lock lock(mutex_);
   for (;;) {
@@ -116,7 +117,7 @@ std::optional<std::size_t> FirstRank::next_block(bool waits) {
       return block;
     }
     if (given_ == 0 || !waits) return {};
-    // A stop that nobody tells of is seen in time.
+    // A stop that is not announced is noticed within this time.
     changed_.wait_for(lock, std::chrono::milliseconds(50));
   }
 }
@@ -173,7 +174,7 @@ void FirstRank::note_joined(int from, const RankMessage& message) {
   processors_.insert(message.names.at(1));
 }
 
-// What another rank finished is recalled here by the same steps by which it would be done.
+// Blocks that another rank finished are recalled here by the same steps by which they are done.
 void FirstRank::note_done(Other& other, std::uint64_t block, bool is_finished) {
   {
     const std::lock_guard lock(mutex_);
@@ -207,7 +208,7 @@ void FirstRank::hand_out(int to, Other& other) {
   messages_.send(to, bytes_of(message));
 }
 
-// Towards the end fewer at a time, so that all ranks end together.
+// Fewer at a time towards the end, so that all ranks end together.
 std::vector<std::size_t> FirstRank::batch(const Other& other) {
   const std::size_t fair = open_.size() / (2 * others_.size());
   const auto count = std::min(
@@ -218,7 +219,7 @@ std::vector<std::size_t> FirstRank::batch(const Other& other) {
   return blocks;
 }
 
-// Between messages: answers those who asked before this phase began, and ends them all.
+// Between messages: answers requests from before this phase began, and ends the ranks.
 bool FirstRank::look() noexcept {
   try {
     bool is_stopped_now = false;

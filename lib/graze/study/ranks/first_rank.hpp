@@ -1,5 +1,5 @@
-// The process that has the work and its results: it hands out blocks to the other ranks as they
-// come free, keeps the pieces that they send, and does blocks itself.
+// The process that owns the work and its results: it hands out blocks to the other ranks as they
+// become free, keeps the pieces that they send, and does blocks itself.
 #pragma once
 
 #include <atomic>
@@ -32,7 +32,7 @@ class PieceTable : public PieceStore {
 
 class FirstRank : public BlockWorkers {
  public:
-  // `interrupted` is what stop signals look at; it is set where another rank was interrupted.
+  // `interrupted` is polled by stop signals; it is set when another rank was interrupted.
   FirstRank(RankMessages& messages, std::atomic<bool>& interrupted);
 
   PieceStore* begin(const std::string& work, const std::string& processor,
@@ -80,7 +80,7 @@ class FirstRank : public BlockWorkers {
   int threads_ = 1;
   StopSignal stop_;
   std::uint64_t phase_ = 0;
-  // Only for this process: blocks all of whose pieces are known, or that another rank left.
+  // Only for this process: blocks whose pieces are all known, or that another rank left.
   std::deque<std::size_t> own_;
   std::deque<std::size_t> open_;  // for whoever comes first
   std::size_t given_ = 0;         // blocks that other ranks are at

@@ -14,9 +14,9 @@ Listener::Listener(RankMessages& messages, std::function<void(int, const RankMes
 
 Listener::~Listener() { thread_.join(); }
 
-// It sleeps between its looks, as it shares a core with a thread that computes: MPI's own waiting
-// would take all of that core. A look costs some microseconds, an answer comes a twentieth of a
-// millisecond late where there is traffic.
+// It sleeps between its looks, as it shares a core with a thread that computes: waiting in MPI
+// would occupy that core. A look costs some microseconds; with traffic an answer is a twentieth of
+// a millisecond late.
 void Listener::listen() {
   using std::chrono::microseconds;
   constexpr microseconds kShortest{50}, kLongest{1000};

@@ -11,9 +11,9 @@ namespace graze {
 
 class Listener {
  public:
-  // `take` is called for each message, `look` between them, some thousand times a second while
-  // there are messages and every millisecond while there are none. Once `look` returns false the
-  // thread ends. Neither may throw.
+  // Calls `take` for each message, and `look` between them, some thousand times a second while
+  // there are messages and every millisecond otherwise. The thread ends when `look` returns false.
+  // Neither may throw.
   Listener(RankMessages& messages, std::function<void(int from, const RankMessage&)> take,
            std::function<bool()> look);
   ~Listener();  // waits for the end

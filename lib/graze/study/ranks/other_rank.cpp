@@ -68,7 +68,7 @@ void OtherRank::work_here(const BlockWork& work) {
   }
 }
 
-// Asks the first rank where none is left, and waits; nothing once the phase is over.
+// Asks the first rank when none is left, and waits; nullopt once the phase is over.
 std::optional<std::size_t> OtherRank::next_block(bool waits) {
   std::unique_lock lock(mutex_);
   for (;;) {
@@ -91,17 +91,17 @@ std::optional<std::size_t> OtherRank::next_block(bool waits) {
 void OtherRank::note_done(std::uint64_t block, bool is_finished, double seconds) {
   send({Kind::kDone, {block, is_finished ? 1U : 0U}});
   const std::lock_guard lock(mutex_);
-  // The last few count, as blocks of one corner of a plane take longer than those of another.
+  // Recent blocks count most, as blocks of one corner of a plane take longer than those of another.
   mean_seconds_ = mean_seconds_ > 0.0 ? 0.8 * mean_seconds_ + 0.2 * seconds : seconds;
   if (--busy_ == 0 && blocks_.empty()) store_.known().clear();
 }
 
-// As many blocks as take this long, so that waiting for an answer, a fraction of a millisecond, is
-// no part of it.
+// Number of blocks that take this long, so that waiting for an answer, a fraction of a millisecond,
+// is negligible.
 std::uint64_t OtherRank::wish() const {
   constexpr double kSeconds = 0.05;
   constexpr double kMost = 1000.0;
-  // At first as many as a thread may do side by side.
+  // At first as many as threads can do side by side.
   if (mean_seconds_ <= 0.0) return kLanes * static_cast<std::uint64_t>(threads_);
   return static_cast<std::uint64_t>(std::clamp(kSeconds * threads_ / mean_seconds_, 1.0, kMost));
 }

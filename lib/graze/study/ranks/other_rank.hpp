@@ -18,7 +18,7 @@ namespace graze {
 
 class OtherRank : public BlockWorkers {
  public:
-  // `interrupted` is what stop signals look at; it is set where the first rank asks for a stop.
+  // `interrupted` is polled by stop signals; it is set when the first rank asks for a stop.
   OtherRank(RankMessages& messages, std::atomic<bool>& interrupted);
 
   PieceStore* begin(const std::string& work, const std::string& processor,
@@ -26,13 +26,13 @@ class OtherRank : public BlockWorkers {
   bool do_blocks(const BlockWork& work, int threads, const StopSignal& stop) override;
   bool serves_another() const override { return true; }
 
-  // Tells the first rank why nothing more is done here, with the exit code that this stands for.
+  // Reports to the first rank why this one does no more, with the corresponding exit code.
   void fail(const std::string& sentence, int exit_code);
   // Returns once the first rank has ended the work.
   void close();
 
  private:
-  // What was sent along with blocks is found; what is added goes to the first rank.
+  // Finds pieces that were sent along with blocks; sends added ones to the first rank.
   class Store : public PieceStore {
    public:
     explicit Store(RankMessages& messages) : messages_(messages) {}

@@ -24,7 +24,7 @@ class Reader {
     if (good_) std::memcpy(&value, part.data(), sizeof value);
     return value;
   }
-  // How many things follow, each of which has at least so many bytes.
+  // The number of items that follow, each of at least so many bytes.
   std::uint64_t count(std::size_t least) {
     const std::uint64_t count = number();
     good_ = good_ && count <= bytes_.size() / least;

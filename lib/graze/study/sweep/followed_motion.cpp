@@ -34,7 +34,7 @@ bool is_nearing(const System& system, const SettledMotion& motion, int longest_p
   for (std::size_t p = 1; p <= static_cast<std::size_t>(longest_period); ++p) {
     if (motion.period_states.size() < (kQuarters + 1) * p) continue;
     const auto largest = differences(scale, motion.period_states, p);
-    // Strictly, so that what is at rest within rounding is not followed on.
+    // Strictly, so that a motion at rest within rounding is not followed further.
     if (std::is_sorted(largest.rbegin(), largest.rend()) && largest.back() < largest.front())
       return true;
   }
@@ -47,7 +47,7 @@ SettledMotion follow_while_nearing(const System& system, const State& start, Set
   long long periods = motion.periods, impacts = motion.impacts_met;
   while (motion.kind == SettledKind::kNotPeriodic && periods < most_periods &&
          is_nearing(system, motion, longest_period) && is_clear(system, motion.at_end)) {
-    // As long again as up to here.
+    // As many periods again as so far.
     options.periods = std::min(periods, most_periods - periods);
     options.max_impacts -= motion.impacts_met;
     motion = settle(system, State(motion.at_end), options);

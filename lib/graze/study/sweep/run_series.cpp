@@ -31,7 +31,7 @@ class Peak {
   double largest() const { return largest_; }
 
  private:
-  // About the middle one of the five, in distances.
+  // Examines the quartic about the middle of the five, in units of the distance.
   void look_between() {
     const auto [a, b, c, d, e] = last_;
     const double even = 0.5 * (b + d) - c, far_even = 0.5 * (a + e) - c;
@@ -56,7 +56,7 @@ class Peak {
   long long count_ = 0;
 };
 
-// Nothing where it was stopped.
+// Returns nullopt when it was stopped.
 std::optional<ValueRun> run_at(const Scene& scene, double value, const RunSeriesOptions& series) {
   const System system = assemble(scene);
   const State start = initial_state(scene, system);
@@ -79,7 +79,7 @@ std::optional<ValueRun> run_at(const Scene& scene, double value, const RunSeries
     listeners.sample = [&](const Sample& sample) {
       for (std::size_t i = 0; i < probes.size(); ++i) peaks[i].add(probes[i].value(sample.state));
     };
-  // Where nothing oscillates, as many over the run.
+  // As many samples over the run where nothing oscillates.
   listeners.sample_rate =
       kSamplesPerOscillation * std::max(system.omega.maxCoeff() / kTurn, 1.0 / series.duration);
   const Simulation end = simulate(system, start, options, listeners);
@@ -96,7 +96,7 @@ std::optional<ValueRun> run_at(const Scene& scene, double value, const RunSeries
 }  // namespace
 
 std::vector<ValueRun> run_series(const Scene& scene, const RunSeriesOptions& options) {
-  // A value that the scene does not allow is told before anything is run.
+  // A value that the scene does not allow is reported before any run.
   std::vector<Scene> scenes;
   scenes.reserve(options.values.size());
   for (const double value : options.values) {

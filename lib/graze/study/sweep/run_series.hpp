@@ -1,5 +1,6 @@
 // One run from the scene's start at each of several values of a parameter, for a given time: its
-// impacts, and what its probes saw. For motions that no forcing repeats, where nothing settles.
+// impacts, and the extremes of its probes. For motions without periodic forcing, which do not
+// settle.
 #pragma once
 
 #include <optional>
@@ -20,12 +21,12 @@ struct ValueRun {
   RunOutcome outcome = RunOutcome::kReachedEnd;
   std::string message;             // a sentence unless the end was reached
   std::vector<RunImpact> impacts;  // and contacts
-  // Of the probes, in their order: largest size over the run and value at its end, SI. Between
-  // samples, 20 to the quickest oscillation, extremes lie on quartics.
+  // For the probes, in their order: largest size over the run and value at its end, SI. Between
+  // samples, 20 to the fastest oscillation, extremes are those of quartics.
   std::vector<double> peaks, ends;
 };
 
-// The share is of the values, the memory of the runs, "row i".
+// Shares are of the values; pieces, one for each run, are named "row i".
 struct RunSeriesOptions : SharedWork<ValueRun> {
   std::string parameter;  // or a number of the start, "initial.rate"
   std::vector<double> values;
@@ -35,8 +36,8 @@ struct RunSeriesOptions : SharedWork<ValueRun> {
   StopSignal stop;
 };
 
-// In the order of the values; where a stop was asked for before all were done, those that were, and
-// of a share its own. Throws InputError where the scene does not allow a value.
+// In the order of the values; only the finished ones when it was stopped, and only those of its
+// share. Throws InputError where the scene does not allow a value.
 std::vector<ValueRun> run_series(const Scene& scene, const RunSeriesOptions& options);
 
 }  // namespace graze

@@ -83,7 +83,7 @@ bool settle_row(const Scene& scene, const System& system, const State& start,
 AttractorClass attractor_class(const SweepRow& row) {
   const SettledMotion& motion = row.motion;
   AttractorClass attractor{row.status, motion.kind, motion.period, 0, Wandering::kOpen};
-  // Nearness is no part of what it is.
+  // How near the motion has come does not distinguish attractors.
   if (row.status == SweepStatus::kApproaching) attractor.status = SweepStatus::kSettled;
   if (motion.kind == SettledKind::kImpacts)
     attractor.impacts = static_cast<int>(motion.impacts.size());

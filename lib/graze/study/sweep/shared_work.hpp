@@ -1,5 +1,5 @@
-// Long work in pieces that do not depend on who does them or when: what an earlier run left of
-// them, where finished ones go, and which of them are done here.
+// Long work in pieces that do not depend on who does them or when: the pieces of an earlier run,
+// the store of finished ones, and the share that is done here.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace graze {
 
-// One of several shares of the work: blocks of it go to them in turn.
+// One of several shares of the work: blocks are assigned to shares in turn.
 struct Share {
   int part = 1, of = 1;  // 1 <= part <= of
 
@@ -23,14 +23,14 @@ struct Share {
   bool has(std::size_t block) const {
     return block % static_cast<std::size_t>(of) == static_cast<std::size_t>(part - 1);
   }
-  // How many of so many pieces it has, in blocks of so many.
+  // The number of pieces in this share, if blocks have `block` pieces each.
   std::size_t count(std::size_t pieces, std::size_t block = 1) const {
     std::size_t count = 0;
     for (std::size_t first = 0; first < pieces; first += block)
       if (has(first / block)) count += std::min(block, pieces - first);
     return count;
   }
-  // Which of so many blocks it has.
+  // The blocks of this share.
   std::vector<std::size_t> blocks(std::size_t count) const {
     std::vector<std::size_t> list;
     for (auto block = static_cast<std::size_t>(part - 1); block < count;
@@ -45,21 +45,21 @@ inline std::string piece_name(const std::string& what, std::size_t i) {
   return what + " " + std::to_string(i);
 }
 
-// Both may be called by several threads at once, and either may be empty. What a piece is named
-// ("row 12") says what it is, given the work that it belongs to.
+// Both may be called by several threads at once, and either may be empty. A piece is identified
+// within its work by its name ("row 12").
 template <class Piece>
 struct PieceMemory {
   std::function<std::optional<Piece>(const std::string& name)> recall{};
   std::function<void(const std::string& name, const Piece& piece)> keep{};
 
-  // Whether the piece is as good as any, and is then kept.
+  // Whether the piece is complete; it is then kept.
   bool take(const std::string& name, const Piece& piece) const {
     if (is_work_over()) return false;
     if (keep) keep(name, piece);
     return true;
   }
 
-  // The piece as it is remembered, or else as `make` makes it; nothing where that was stopped.
+  // The stored piece, or else the one that `make` makes; nullopt when that was stopped.
   template <class Make>
   std::optional<Piece> get(const std::string& name, const Make& make) const {
     if (recall)
@@ -70,7 +70,7 @@ struct PieceMemory {
   }
 };
 
-// How such work is done.
+// Options of such work.
 template <class Piece>
 struct SharedWork {
   int threads = 0;                                  // 0: all cores
@@ -79,7 +79,7 @@ struct SharedWork {
   PieceMemory<Piece> memory{};
   BlockWorkers* workers = &own_threads();  // not null
 
-  // What a result keeps of it must not lead to what is over with the work.
+  // Drops references to objects that do not outlive the work, before a result keeps these options.
   void let_go() {
     progress = nullptr;
     memory = {};
@@ -87,15 +87,15 @@ struct SharedWork {
   }
 };
 
-// Pieces 0 .. count - 1 of a kind ("cell") that depend on nothing but themselves: those of the
-// options' share, remembered or as `make(i)` makes them, by its workers, with its progress. Nothing
-// where a piece is not of the share, or was stopped.
+// Pieces 0 .. count - 1 of a kind ("cell") that depend only on themselves: those of the options'
+// share, stored ones or as `make(i)` makes them, by its workers, with its progress. nullopt when a
+// piece is not in the share, or was stopped.
 template <class Piece>
 struct MadePieces {
   std::vector<std::optional<Piece>> pieces;
   bool is_complete = false;  // of the share
 };
-// `run(made, counter)` is what does them (BlockWork::run), each into its place.
+// `run(made, counter)` returns the function that makes them (BlockWork::run), each in its place.
 template <class Piece, class Options, class Run>
 MadePieces<Piece> made_pieces(const std::string& kind, std::size_t count, const Options& options,
                               const Run& run) {

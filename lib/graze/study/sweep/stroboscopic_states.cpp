@@ -13,7 +13,7 @@
 namespace graze {
 namespace {
 
-// Flown on from the section's states, to the starts of the periods that follow.
+// Flies from the section's states to the starts of the following periods.
 std::vector<State> flown_states(const System& system, const Orbit& orbit) {
   const OrbitSection& section = *orbit.section;
   const int periods = orbit.period / static_cast<int>(section.states.size());

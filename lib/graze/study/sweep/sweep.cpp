@@ -71,7 +71,7 @@ class Sweeper {
     co_return true;
   }
 
-  // The k-th row where it is remembered or has no start; else nothing, and `run` is to be awaited.
+  // The k-th row if it is stored or has no start; else nullopt, and `run` is to be awaited.
   std::optional<SweepRow> at_once(const std::string& name, std::size_t k, const SweepRow* before,
                                   RowRun& run) const {
     if (options_.memory.recall)
@@ -79,7 +79,7 @@ class Sweeper {
     if (begin(k, before, run)) return {};
     return kept(name, std::move(run.row));
   }
-  // Once it was awaited; nothing where it was stopped.
+  // To be called once `run` was awaited; nullopt when it was stopped.
   std::optional<SweepRow> settled(const std::string& name, RowRun& run) const {
     if (!end(run)) return {};
     return kept(name, std::move(run.row));
@@ -89,7 +89,7 @@ class Sweeper {
     return row;
   }
 
-  // False where the row has no start, and says so.
+  // False where the row has no start, which it then says.
   bool begin(std::size_t k, const SweepRow* before, RowRun& run) const {
     run.row.value = sweep_value(options_, static_cast<int>(place(k)));
     try {
@@ -109,7 +109,7 @@ class Sweeper {
     return true;
   }
 
-  // What remains to be told once it has settled; false where it was stopped.
+  // Adds the remaining results once it has settled; false where it was stopped.
   bool end(RowRun& run) const {
     if (!run.is_finished) return false;
     run.row.motion.pattern.reset();
@@ -125,14 +125,14 @@ class Sweeper {
                                    system.stops[i].row.dot(state.qdot)});
   }
 
-  // Rows that take the place of a block's first ones.
+  // Rows that replace a block's first ones.
   struct Joint {
     std::vector<SweepRow> rows;
     bool is_finished = false;
   };
 
-  // Runs the rows of the block that begins with `first` again, from what the one before it handed
-  // on, until one of them settles on what the block had found.
+  // Runs the rows of the block that begins with `first` again, from the state that the previous
+  // block handed on, until one of them settles on the same attractor as in the block.
   RowChain joint_chain(const char* what, std::size_t first, std::size_t block, Joint& made) {
     const std::size_t end_row = std::min(first + block, rows_.size());
     made = {};
@@ -156,7 +156,7 @@ class Sweeper {
     co_return made.is_finished;
   }
 
-  // The same by itself.
+  // The same in this thread alone.
   Joint joint(const char* what, std::size_t first, std::size_t block) {
     Joint made;
     std::optional<std::size_t> left = first;
@@ -165,15 +165,16 @@ class Sweeper {
     return made;
   }
 
-  // The k-th row as its block found it; one that another process found is recalled.
+  // The k-th row from its block; a row that another process made is recalled.
   const SweepRow* found(std::size_t k, std::optional<SweepRow>& recalled) {
     if (at(k)) return &*at(k);
     if (options_.memory.recall) recalled = options_.memory.recall(piece_name("row", k));
     return recalled ? &*recalled : nullptr;
   }
 
-  // Most blocks end as they were, so that what follows on them can be joined to them side by side;
-  // where the last row of one is another one now, the next is joined to that instead.
+  // Most blocks keep their last row, so that the following blocks can be joined to them side by
+  // side; where the last row of a block has changed, the next block is joined to the new one
+  // instead.
   void join_blocks(std::size_t blocks, std::size_t block) {
     std::vector<Joint> ahead(blocks);
     BlockWork work;
@@ -186,7 +187,7 @@ class Sweeper {
     };
     work.run = side_by_side(
         options_, [&](std::size_t b) { return joint_chain("ahead", b * block, block, ahead[b]); });
-    // Where another process joins them, nothing is run again here.
+    // Nothing is run again here if another process joins them.
     if (!options_.workers->do_blocks(work, options_.threads, options_.stop)) return;
     for (const Joint& joint : ahead) run_again_ += static_cast<int>(joint.rows.size());
     bool ends_as_it_was = true;
@@ -205,11 +206,11 @@ class Sweeper {
   bool is_same_attractor(const SweepRow& a, const SweepRow& b) const {
     if (attractor_class(a) != attractor_class(b)) return false;
     const std::vector<State>&left = a.motion.period_states, &right = b.motion.period_states;
-    // Where nothing is handed on, the next value starts anew either way.
+    // Where nothing is handed on, the next value starts from the initial state in either case.
     if (a.status != SweepStatus::kSettled || left.size() != right.size()) return true;
     const std::optional<System> system = family_.at(a.value);
     if (!system) return false;
-    // Both are this near to their orbit, each in its own way.
+    // Both are within the nearness of their orbit, with different deviations.
     return are_same_period_states(motion_scale(*system), left, right, 16.0 * options_.nearness);
   }
 
@@ -220,10 +221,10 @@ class Sweeper {
       if (!row) continue;
       result.periods += row->motion.periods;
       result.impacts += row->motion.impacts_met;
-      row->motion.period_states = {};  // what they tell is in the row's own, and they are large
+      row->motion.period_states = {};  // large, and contained in the row's own stop states
       result.rows.push_back(std::move(*row));
     }
-    // Whatever was asked for meanwhile, a sweep that has all its rows was not stopped.
+    // A sweep with all its rows counts as not stopped, even if that was requested meanwhile.
     if (is_complete && is_joined_) result.stopped = StopReason::kNone;
     return result;
   }

@@ -1,12 +1,12 @@
-// A brute-force sweep: what the motion settles on at one value of a parameter after the other.
+// A brute-force sweep: what the motion settles on at each of a sequence of values of a parameter.
 //
-// Up and down, each value starts from the state that the one before handed on, so that an attractor
-// is followed as far as it goes (hysteresis). The values are cut into blocks of kBlock that are run
-// side by side, each from the scene's initial state; then the blocks are joined in order: the first
-// value of each is run again from what the block before handed on, and the next ones too, until one
-// settles on what the block had found there. That is the sweep in one go, up to the attractor that
-// motions which never repeat are on (two of them count as the same), and it depends on nothing but
-// its values, however many threads share the work.
+// Upwards and downwards, each value starts from the state that the previous one handed on, so that
+// an attractor is followed as far as it exists (hysteresis). The values are cut into blocks of
+// kBlock that are run side by side, each from the scene's initial state; then the blocks are joined
+// in order: the first values of each are run again from the state of the previous block, until one
+// settles on the same attractor as in the block. The result is that of one sweep, except that all
+// attractors of motions which never repeat count as the same, and depends on its values alone,
+// however many threads share the work.
 #pragma once
 
 #include <optional>
@@ -27,9 +27,9 @@ enum class SweepDirection {
   kFresh  // every value from the scene's initial state
 };
 
-// Periods, impacts and exponents are those at a value. A share has some of the blocks, which are
-// joined where all of them are; the memory is of the k-th row, "row k", and run again, "ahead k",
-// "again k".
+// Periods, impacts and exponents are those at a value. A share consists of blocks, which are joined
+// once all are there; pieces are named "row k" for the k-th row, and "ahead k", "again k" for those
+// run again.
 struct SweepOptions : RowOptions, SharedWork<SweepRow> {
   double from = 0.0, to = 0.0;
   int points = 400;  // values from `from` to `to`, both among them; at least 2
@@ -44,15 +44,15 @@ struct Sweep {
   std::vector<SweepRow> rows;  // in the order of the values from `from` to `to`; the finished ones
   long long periods = 0;       // forcing periods run, all together
   long long impacts = 0;
-  int run_again = 0;  // runs of rows once more, where blocks are joined
+  int run_again = 0;  // number of rows run again to join blocks
   StopReason stopped = StopReason::kNone;
 };
 
-// Sweeps the family's parameter. Requires forcing and a stop. Values that cannot be settled are
-// rows that say so.
+// Sweeps the family's parameter. Requires forcing and a stop. A row says so when its value cannot
+// be settled.
 Sweep sweep(const SystemFamily& family, const SweepOptions& options);
 
-// How many values in a row are run one after the other: a share has them together.
+// Number of consecutive values that are run one after the other, and belong to one share.
 std::size_t sweep_block(SweepDirection direction);
 
 // The value of the i-th of `points` from `from` to `to`.
@@ -65,9 +65,9 @@ struct AttractorRange {
 };
 std::vector<AttractorRange> attractor_ranges(const std::vector<SweepRow>& rows);
 
-// What branches are traced from: the motion in the middle of each range of those that repeat and
-// meet a stop, in order. Of neighbours that agree, over a fiftieth of the values at least: what is
-// shorter lies between two points of a branch, and in chaos there is no end of it.
+// Starts for branches: the motion in the middle of each range of values with repeating motions that
+// meet a stop, in order. A range consists of neighbours that agree, over at least a fiftieth of the
+// values: shorter ranges lie between two points of a branch, and chaos has arbitrarily many.
 std::vector<SettledStart> settled_starts(const std::vector<SweepRow>& rows);
 
 }  // namespace graze

@@ -1,6 +1,6 @@
-// What results tell, described once: describe() hands a visitor every number of a result with its
-// name, its unit and what it means. Documents, tables, arrays and the reference in docs/scenes.md
-// come from visitors that know no result.
+// The contents of results, described once: describe() passes every number of a result with its
+// name, its unit and its meaning to a visitor. Documents, tables, arrays and the reference in
+// docs/scenes.md come from visitors that do not depend on any result.
 #pragma once
 
 #include <complex>
@@ -21,13 +21,13 @@ struct Field {
   std::string_view unit{};  // SI; empty of a pure number, a word or a part
   std::string_view what{};  // it means, for the reference
   std::string_view
-      column{};  // its name in tables, where that is another; of a pair both, "from,to"
-  std::string_view tables{};  // whose rows repeat it, besides the row that it stands in: "orbits"
+      column{};  // its name in tables, if different; for a pair both, "from,to"
+  std::string_view tables{};  // tables whose rows repeat it, besides its own row: "orbits"
   enum class Use {
     kEverywhere,
     kDocument,  // and in no table
     kTables,    // and in no document
-    kUnit       // only that a document tells its unit
+    kUnit       // only the unit in a document
   } use = Use::kEverywhere;
 
   constexpr Field as(std::string_view other) const { return with(&Field::column, other); }
@@ -44,7 +44,7 @@ struct Field {
   }
 };
 
-// A value that does not exist; what it would be.
+// The type of a value that does not exist.
 enum class Missing { kNumber, kWord, kTruth };
 // Two numbers that belong together: a complex number, an interval.
 using NumberPair = std::pair<double, double>;
@@ -76,11 +76,11 @@ FieldValue field_value(const std::optional<T>& value) {
   else
     return Missing::kNumber;
 }
-// Of a name that may be empty: then it does not exist.
+// A name; one that is empty does not exist.
 inline std::optional<std::string_view> named(std::string_view name) {
   return name.empty() ? std::nullopt : std::optional(name);
 }
-// What an optional holds, or an empty one, for descriptions of what is not there.
+// The value of an optional, or a default-constructed one, for descriptions of absent parts.
 template <class T>
 const T& held(const std::optional<T>& value) {
   static const T none{};
@@ -95,13 +95,13 @@ class ResultVisitor {
   void field(const Field& field, const T& value) {
     take(field, field_value(value));
   }
-  // That of numbers which are called so elsewhere, in tables or on axes.
+  // The unit of numbers that have this name elsewhere, in tables or on axes.
   void unit(std::string_view name, std::string_view unit) {
     Field field{name, unit};
     field.use = Field::Use::kUnit;
     take(field, Missing::kNumber);
   }
-  // With fields of its own, which `body` hands over.
+  // A part with fields of its own, which `body` passes.
   template <class Body>
   void part(const Field& field, const Body& body) {
     if (!open(field, Shape::kPart)) return;
@@ -116,16 +116,16 @@ class ResultVisitor {
     else
       take(field, Missing::kWord);
   }
-  // Of parts: `each(element, index)` hands over the fields of one.
+  // A list of parts: `each(element, index)` passes the fields of one.
   template <class List, class Each>
   void list(const Field& field, const List& list, const Each& each) {
     if (open(field, Shape::kList)) parts(list, each);
   }
-  // The same of very many, which a document holds as one list of each field.
+  // The same for very many parts, which a document holds as one list for each field.
   template <class List, class Each>
   void columns(const Field& field, const List& list, const Each& each) {
     if (!open(field, Shape::kColumns)) return;
-    // Lists of nothing are there too.
+    // Empty lists are described, too.
     if (list.empty() && !sees_all()) {
       static const std::ranges::range_value_t<List> any{};
       hear_names_only(true);
@@ -134,8 +134,8 @@ class ResultVisitor {
     }
     parts(list, each);
   }
-  // The same of a few, as many for every row of a table, which has columns for the fields of each.
-  // Where not all of them exist a document has an empty list.
+  // The same for a few parts, the same number in every row of a table, which has columns for the
+  // fields of each. If they do not all exist a document has an empty list.
   template <class List, class Each>
   void spread(const Field& field, const List& list, bool exist, const Each& each) {
     if (!open(field, Shape::kSpread)) return;
@@ -143,7 +143,7 @@ class ResultVisitor {
       for (std::size_t i = 0; i < list.size(); ++i) part_of(list[i], i, each);
     close();
   }
-  // Of values.
+  // A list of values.
   template <class List, class Value>
   void values(const Field& field, const List& list, const Value& value) {
     if (!open(field, Shape::kValues)) return;
@@ -156,7 +156,7 @@ class ResultVisitor {
         field, list, [](const auto& value) -> const auto& { return value; });
   }
 
-  // Of lists of values, so many.
+  // `count` lists of values.
   template <class Row>
   void lists(const Field& field, std::size_t count, const Row& row) {
     if (!open(field, Shape::kList)) return;
@@ -164,23 +164,23 @@ class ResultVisitor {
     close();
   }
 
-  // A row of the table: what `body` hands over is in its columns.
+  // A row of the table: the fields that `body` passes are in its columns.
   template <class Body>
   void row(std::string_view table, const Body& body) {
     if (!begin_row(table)) return;
     body();
     end_row(table);
   }
-  // Of what is computed for a table alone.
+  // Whether the visitor needs rows that are computed for a table alone.
   virtual bool wants_rows(std::string_view) const { return false; }
-  // Whether lists are looked at by an element that stands for all, and whatever may be there is.
+  // Whether the visitor sees one representative element of each list, and all optional parts.
   virtual bool sees_all() const { return false; }
-  // What is for documents, or for tables, alone.
+  // Fields for documents alone, or for tables alone.
   template <class Body>
   void only(Field::Use use, const Body& body) {
     if (wants(use)) body();
   }
-  // Before the names of columns of what `body` hands over.
+  // A prefix of the column names of the fields that `body` passes.
   template <class Body>
   void prefix(std::string_view words, const Body& body) {
     const std::string before = set_prefix(words);
@@ -188,8 +188,8 @@ class ResultVisitor {
     set_prefix(before);
   }
 
-  // While it is there, what is handed over is that of some elements alone: `who` they are, for the
-  // reference. False where this one is none of them.
+  // During its lifetime, fields belong to some elements only, which `who` describes in the
+  // reference. False where the present element is none of them.
   class Some {
    public:
     Some(ResultVisitor& visitor, bool exist, std::string_view who)
@@ -209,16 +209,16 @@ class ResultVisitor {
 
  protected:
   enum class Shape { kPart, kValues, kList, kColumns, kSpread, kElement };
-  // Whether its inside is wanted; close() follows then.
+  // Whether the contents are wanted; close() follows then.
   virtual bool open(const Field& field, Shape shape) = 0;
   virtual void close() = 0;
   virtual bool wants(Field::Use) const { return true; }
   virtual void take(const Field& field, const FieldValue& value) = 0;
   virtual bool begin_row(std::string_view) { return true; }
   virtual void end_row(std::string_view) {}
-  // Returns what it was.
+  // Returns the previous prefix.
   virtual std::string set_prefix(std::string_view) { return {}; }
-  // Whether the next elements stand for the names of their fields alone.
+  // Whether the next elements only give the names of their fields.
   virtual void hear_names_only(bool) {}
   virtual void begin_some(std::string_view) {}
   virtual void end_some() {}

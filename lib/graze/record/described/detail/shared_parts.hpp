@@ -1,4 +1,4 @@
-// Private to this room. What several results have in common.
+// Private to this room: parts that several results have in common.
 #pragma once
 
 #include <cmath>
@@ -25,35 +25,35 @@ template <class List, class Index>
 double number_at(const List& list, Index i) {
   return i < static_cast<Index>(list.size()) ? list[i] : NAN;
 }
-// What exists under a condition.
+// A value that exists under a condition.
 template <class T>
 std::optional<T> only_if(bool exists, T value) {
   return exists ? std::optional(std::move(value)) : std::nullopt;
 }
 
-// How it was made and how it ended.
+// How the result was made and how it ended.
 void describe_head(ResultVisitor& v, const RunInfo& info, const Outcome& outcome,
                    const std::vector<std::string>& warnings);
-// Notes of both kinds, which a document does not tell apart.
+// Notes of both kinds, which a document puts into one list.
 void describe_notes(ResultVisitor& v, const std::vector<std::string>& notes,
                     const std::vector<std::string>& details = {});
 
-// What is told of impacts, multipliers and stuck phases wherever orbits are listed. The impacts are
-// rows of the table "orbits", their contacts rows of "contacts".
+// Impacts, multipliers and stuck phases of orbits, wherever these are listed. The impacts are rows
+// of the table "orbits", their contacts rows of "contacts".
 void describe_impacts(ResultVisitor& v, const std::vector<OrbitImpact>& impacts);
 void describe_multipliers(ResultVisitor& v, const Orbit& orbit);
 void describe_sticking(ResultVisitor& v, const Orbit& orbit);
 void describe_section(ResultVisitor& v, const Orbit& orbit);
 
-// How large a motion is at the places and stops; null: not measured.
+// Amplitudes of a motion at the places and stops; null: not measured.
 void describe_amplitudes(ResultVisitor& v, const std::vector<MeasuredPlace>& places,
                          const Amplitudes* measured);
 
-// Of places and runs over parameters.
+// Probes, and axes of maps.
 void describe_probe(ResultVisitor& v, const Probe& probe);
 void describe_axis(ResultVisitor& v, const char* name, const PlaneAxis& axis,
                    const std::string& unit);
-// The cells of a plane that were run, by their index; which they are where not all were.
+// The cells of a plane that were run, by their index; describes which they are unless all were run.
 template <class Cell>
 std::vector<std::size_t> describe_known(ResultVisitor& v, const std::vector<Cell>& cells) {
   std::vector<std::size_t> known;

@@ -1,5 +1,5 @@
-// What a value is made of where that is not its members: lists of any length, and numbers of other
-// libraries (value_text.hpp).
+// The parts of values that are not written by their members: lists of any length, and numbers of
+// other libraries (value_text.hpp).
 #pragma once
 
 #include <array>
@@ -44,7 +44,7 @@ void fields(Archive& archive, std::optional<T>& value) {
     archive(*value);
   }
 }
-// What was not run holds nothing.
+// A cell that was not run has no contents.
 template <class Archive, class Cell>
 requires requires(Cell& cell) { cell.is_known; }
 void fields(Archive& archive, Cell& cell) {
@@ -59,7 +59,7 @@ template <class Archive, class First, class Second>
 void fields(Archive& archive, std::pair<First, Second>& pair) {
   archive(pair.first), archive(pair.second);
 }
-// By its place among the alternatives.
+// A variant is written with the index of its alternative.
 template <class Archive, class... Types>
 void fields(Archive& archive, std::variant<Types...>& value) {
   std::size_t place = value.index();

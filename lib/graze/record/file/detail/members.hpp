@@ -1,8 +1,9 @@
-// The members of a value, one after the other, for who does the same with each: write it, read it.
-// They are those of its type, in their order, so that none can be forgotten where one is added.
+// The members of a value, one after the other, for code that does the same with each: writes or
+// reads it. They are all members of the type in order, so that none can be forgotten when one is
+// added.
 //
-// A type without constructors, bases and arrays of C has as many members as there can be
-// initialisers in its braces; that many names can be bound to them.
+// A type without constructors, bases and C arrays has as many members as its braces accept
+// initialisers; so many names can be bound to them.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +12,7 @@
 
 namespace graze {
 
-// Stands for a value of any type where nothing is evaluated.
+// Converts to any type in unevaluated expressions.
 struct AnyValue {
   explicit AnyValue(std::size_t);
   template <class T>
@@ -34,7 +35,7 @@ constexpr std::size_t member_count() {
     return member_count<T, most - 1>();
 }
 
-// References to so many members.
+// References to `count` members.
 template <std::size_t count>
 struct Members {};
 template <class T>

@@ -1,7 +1,6 @@
-// Values as text that reads back to the last bit: numbers, words and lists of them, as JSON has
-// them. What a value holds goes to an archive and comes from it alike: `archive(member)` for one
-// member after the other, by `fields` (fields.hpp) where a type has its own, else for all members
-// that it has (members.hpp).
+// Values as text that reads back to the last bit: numbers, words and lists of them, as in JSON.
+// Writing and reading use the same description: `archive(member)` for one member after the other,
+// by `fields` (fields.hpp) where a type has its own, else for all its members (members.hpp).
 #pragma once
 
 #include <concepts>
@@ -40,7 +39,7 @@ class TextWriter {
       quoted(value);
     } else {
       open();
-      // What is written is left as it is.
+      // A written value is not changed.
       visit_value(*this, const_cast<T&>(value));
       close();
     }
@@ -60,7 +59,7 @@ class TextWriter {
   bool is_first_ = true;  // of its list
 };
 
-// Text that is no such value.
+// Thrown for text that is no such value.
 struct UnreadableText {};
 
 // All functions throw UnreadableText where the text holds something else.
@@ -116,7 +115,7 @@ std::string value_text(const Value& value) {
   return writer.take();
 }
 
-// Reads what `value_text` wrote. False where it did not.
+// Reads the output of `value_text`. False for any other text.
 template <class Value>
 bool read_value(std::string_view text, Value& value) {
   try {

@@ -1,4 +1,4 @@
-// The words in which results speak of a comparison.
+// The words of results for a comparison.
 #pragma once
 
 #include <string>
@@ -14,17 +14,18 @@ inline constexpr ComparedQuantity kComparedQuantities[] = {
 
 // "attractor", "agreeing", "first_time", ..
 std::string name_of(ComparedQuantity quantity);
-// In a few words: "mean energy, relative difference".
+// A short description: "mean energy, relative difference".
 std::string title_of(ComparedQuantity quantity);
 // Whether it is a difference with a sign.
 bool is_signed(ComparedQuantity quantity);
 
-// As a number; of an attractor 1 where it is the same, else 0. Not finite where there is none.
+// The value as a number; for an attractor 1 if it is the same, else 0. Not finite where there is
+// none.
 double compared_value(const MotionDifference& difference, ComparedQuantity quantity);
 
-// Whether both motions of a cell settle on, or keep to, something.
+// Whether the cell was run and both of its motions have an attractor.
 bool is_comparable(const ComparedCell& cell);
-// Of what both settle on: "both (1,1)", "different", "no start", ..
+// What both settle on: "both (1,1)", "different", "no start", ..
 std::string cell_name(const ComparedCell& cell);
 
 }  // namespace graze

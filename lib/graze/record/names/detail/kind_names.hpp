@@ -1,4 +1,4 @@
-// The words in which results name kinds and ends.
+// The words of results for kinds and ends.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// The words in which results speak of a map.
+// The words of results for a map.
 #pragma once
 
 #include <functional>
@@ -19,20 +19,20 @@ std::string name_of(MapQuantity quantity);
 std::string title_of(MapQuantity quantity);
 std::string unit_of(MapQuantity quantity);
 
-// "(1,1)", or "(1,1) b" of the second of several that do the same.
+// "(1,1)", or "(1,1) b" for the second of several of the same class.
 std::string attractor_name(const AttractorMap& map, std::size_t attractor);
 
-// Of a cell, "(2,1)", "clear", "no start", ..
+// The name of a cell's motion: "(2,1)", "clear", "no start", ..
 std::string cell_name(const AttractorMap& map, const MapCell& cell);
 
-// Whether what the cell settles on meets no stop.
+// Whether the settled motion of the cell meets no stop.
 bool is_clear(const MapCell& cell);
 
-// Of a cell as a number; not finite where it has none.
+// A quantity of a cell as a number; not finite where it has none.
 double cell_value(const MapCell& cell, MapQuantity quantity);
 
-// What a picture shows of cells: not finite where there is nothing to show, as no speed where
-// nothing is met. Refers to the record.
+// The quantity that a picture shows of cells: not finite where there is none, as a speed where no
+// stop is met. Refers to the record.
 struct DrawnQuantity {
   std::string title, unit;  // SI
   std::function<double(const MapCell&)> of;

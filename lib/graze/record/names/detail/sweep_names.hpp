@@ -1,4 +1,4 @@
-// The words in which results speak of a sweep.
+// The words of results for a sweep.
 #pragma once
 
 #include <string>
@@ -16,18 +16,18 @@ std::string name_of(SweepDirection direction);
 std::string name_of(SweepStart start);
 std::string name_of(SweepStatus status);
 std::string name_of(DiagramSection section);
-// "impacts", "sticking", "clear", "at rest"; where nothing repeats "torus" or "chaos" where
-// exponents tell, else the status.
+// "impacts", "sticking", "clear", "at rest"; for a motion that does not repeat "torus" or "chaos"
+// where the exponents decide that, else the status.
 std::string attractor_kind(const AttractorClass& attractor);
 
 // "(2,1)": one impact in two forcing periods; "(1,stick)": comes to rest on a stop and is released
 // once a period; "no impact".
 std::string orbit_label(int period, long long impacts, bool sticks);
-// The same of what a motion settles on, or "clear", "at rest", "torus", "chaos", "not periodic", or
-// why there is no attractor.
+// The same for a settled motion, or "clear", "at rest", "torus", "chaos", "not periodic", or why
+// there is no attractor.
 std::string attractor_label(const AttractorClass& attractor);
 
-// How many stops a row tells of, those of every period one stop after the other.
+// The number of stops in a row, those of every period one stop after the other.
 std::size_t stops_seen(const SweepRow& row);
 
 // The forcing period of an impact within the periods that a row shows, from 0; and its phase

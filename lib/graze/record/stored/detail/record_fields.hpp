@@ -1,5 +1,5 @@
-// What records hold that is not written member by member (value_text.hpp): what follows from the
-// scene, what only the run itself had use for, and what hides its members.
+// Parts of records that are not written member by member (value_text.hpp): those that follow from
+// the scene, those that only the run itself used, and types with private members.
 #pragma once
 
 #include <string>
@@ -13,13 +13,13 @@
 
 namespace graze {
 
-// Follows from the scene, which stands beside the record.
+// Follows from the scene, which is stored beside the record.
 template <class Archive>
 void fields(Archive&, System&) {}
 template <class Archive>
 void fields(Archive&, std::optional<BeamPlaces>&) {}
-// Without the text of the scene, which stands beside the record, and without the call, which its
-// file tells before it.
+// Without the text of the scene, which is stored beside the record, and without the call, which
+// stands at the beginning of the file.
 template <class Archive>
 void fields(Archive& archive, RunInfo& info) {
   RunInfo told = info;
@@ -52,7 +52,7 @@ void fields(Archive& archive, RunSection& section) {
   if constexpr (Archive::kReads) section = RunSection(kind, from, std::move(points), left_out);
 }
 
-// Of options what the results tell of; how a run is stopped, shared and watched is over with it.
+// Only the options that results report; how a run was stopped, shared and watched ends with it.
 template <class Archive>
 void row_fields(Archive& archive, RowOptions& options) {
   archive(options.periods), archive(options.samples), archive(options.nearness);

@@ -1,11 +1,11 @@
-// A contact with a compliant stop in 50 digits: what flows in double precision are compared with.
+// A contact with a compliant stop in 50 digits, as a reference for flows in double precision.
 //
-// The equations are those of system.hpp, the force that of contact_force.hpp, both written down
-// anew for that scalar. They are integrated by extrapolation of the modified midpoint rule (W. B.
+// The equations are those of system.hpp, the force that of contact_force.hpp, both implemented
+// again for that scalar. They are integrated by extrapolation of the modified midpoint rule (W. B.
 // Gragg, SIAM J. Numer. Anal. 2 (1965) 384-403), up to order 28, steps halved until two
-// extrapolations agree to kReferenceTolerance. x^n with n no integer has no Taylor series at x = 0:
-// steps begin with kFirstStep of the contact, where that part of the force is nothing yet, and get
-// shorter towards its end in proportion to what is left, down to kLastStep.
+// extrapolations agree to kReferenceTolerance. x^n has no Taylor series at x = 0 for a non-integer
+// n: steps begin with kFirstStep of the contact, where that part of the force is negligible, and
+// shorten towards its end in proportion to the remaining time, down to kLastStep.
 #pragma once
 
 #include <string>
@@ -17,8 +17,8 @@
 
 namespace graze {
 
-// Of a step within a contact, relative to the displacements and to the velocities. What a contact
-// errs by in all is some thousand times that, far below the rounding of double precision.
+// Tolerance of a step within a contact, relative to the displacements and to the velocities. The
+// error of a whole contact is some thousand times that, far below the rounding of double precision.
 inline constexpr double kReferenceTolerance = 1e-24;
 
 struct ExtendedContact {
@@ -35,8 +35,8 @@ struct ExtendedContactOptions {
   StopSignal stop{};
 };
 
-// From q, qdot on the surface of the compliant `stop`, approaching it. No other stop is in contact;
-// where one is reached meanwhile, at the end of a step, the message says so.
+// Starts at q, qdot on the surface of the compliant `stop`, approaching it, with no other stop in
+// contact; when another one is reached, at the end of a step, the message says so.
 ExtendedContact follow_contact(const System& system, int stop, RealVector<Extended> q,
                                RealVector<Extended> qdot, const ExtendedContactOptions& options);
 

@@ -10,13 +10,13 @@ namespace graze {
 struct GridArea {
   int key = 0;
   std::size_t cells = 0;
-  // The cell that has the most edges to cross before the area or the grid is left; of several the
-  // one nearest to the middle of them.
+  // The cell with the most edges to cross to leave the area or the grid; of several the one nearest
+  // to their middle.
   std::size_t innermost = 0;
 };
 
 struct GridAreas {
-  std::vector<GridArea> areas;  // the largest first, of equal ones that with the first cell
+  std::vector<GridArea> areas;  // the largest first, equal ones by their first cell
   std::vector<int> area_of;     // of each cell, an index of `areas`; -1: none
 };
 

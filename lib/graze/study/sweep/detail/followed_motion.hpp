@@ -1,15 +1,14 @@
-// A motion followed until it settles, and longer while it comes nearer to a repetition: modes with
-// little damping take thousands of forcing periods, and a motion that repeats nothing takes any
-// number of them in vain.
+// Follows a motion until it settles, and longer while it comes nearer to a repetition: slightly
+// damped modes take thousands of forcing periods, which are wasted on a motion that never repeats.
 #pragma once
 
 #include "graze/orbit/search/settled.hpp"
 
 namespace graze {
 
-// Settles from `start` by `options`. A motion that has not repeated by then goes on as long as it
-// comes nearer to repeating every 1 .. `longest_period` forcing periods, up to about `most_periods`
-// of them in all.
+// Settles from `start` by `options`. A motion that has not repeated by then is followed further
+// while it comes nearer to repeating every 1 .. `longest_period` forcing periods, up to about
+// `most_periods` in all.
 SettledMotion follow_while_nearing(const System& system, const State& start, SettleOptions options,
                                    int longest_period, long long most_periods);
 

@@ -1,6 +1,6 @@
 // Rows of sweeps and cells of maps settled side by side. A chain is a coroutine that makes one row
-// after the other, each perhaps from what the one before left; where it awaits a row, other chains
-// go on.
+// after the other, each possibly from the end of the previous one; while it awaits a row, other
+// chains go on.
 #pragma once
 
 #include <coroutine>
@@ -19,7 +19,7 @@ struct RowRun {
   System system;
   State start;
   SweepRow row;
-  bool is_finished = false;  // once it was awaited; false where it was stopped
+  bool is_finished = false;  // valid once it was awaited; false when it was stopped
 };
 
 // co_await run;            the row is settled, and its exponents are known
@@ -53,7 +53,7 @@ class RowChain {
     if (handle_) handle_.destroy();
   }
 
-  // Goes on to the next row that it awaits; null once it is over. Throws what the chain throws.
+  // Continues to the next row that it awaits; null once it is over. Throws what the chain throws.
   RowRun* go_on();
   // Requires that it is over.
   bool is_finished() const { return handle_.promise().is_finished; }
@@ -64,8 +64,8 @@ class RowChain {
   std::coroutine_handle<promise_type> handle_;
 };
 
-// What a worker does with its blocks: the chain that each of them is, several side by side. What
-// `chain` refers to has to live until then.
+// A worker function for BlockWork::run: runs the chains of several blocks side by side. Objects
+// that `chain` refers to must outlive it.
 std::function<void(const BlockSource&)> side_by_side(
     const RowOptions& options, std::function<RowChain(std::size_t block)> chain);
 

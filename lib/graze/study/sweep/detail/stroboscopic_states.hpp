@@ -1,4 +1,4 @@
-// An orbit seen once a forcing period, as a stroboscopic diagram shows it.
+// The states of an orbit once a forcing period, as a stroboscopic diagram shows them.
 #pragma once
 
 #include <vector>
