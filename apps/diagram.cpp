@@ -6,7 +6,7 @@
 #include "graze/assembly/system_warnings.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/report/json/json.hpp"
-#include "graze/report/page/detail/page.hpp"
+#include "graze/report/page/page.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/study/cost/step_choice.hpp"

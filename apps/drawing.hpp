@@ -8,8 +8,8 @@
 #include "graze/record/record_names.hpp"
 #include "graze/record/stored/record_file.hpp"
 #include "graze/report/chart/charts.hpp"
-#include "graze/report/page/detail/page.hpp"
-#include "graze/report/page/detail/page_tables.hpp"
+#include "graze/report/page/page.hpp"
+#include "graze/report/page/page_tables.hpp"
 #include "graze/report/picture/pictures.hpp"
 #include "graze/scene/scene.hpp"
 

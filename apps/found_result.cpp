@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "graze/record/file/spool.hpp"
-#include "graze/record/names/detail/kind_names.hpp"
+#include "graze/record/names/motion_names.hpp"
 #include "graze/report/csv/csv.hpp"
 #include "graze/report/json/json.hpp"
 

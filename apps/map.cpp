@@ -10,7 +10,7 @@
 #include "graze/base/errors.hpp"
 #include "graze/record/study_records.hpp"
 #include "graze/report/json/json.hpp"
-#include "graze/report/page/detail/page.hpp"
+#include "graze/report/page/page.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/start_coordinate.hpp"
 #include "graze/study/cost/step_choice.hpp"

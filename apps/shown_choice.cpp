@@ -10,8 +10,7 @@
 
 #include "branch_options.hpp"
 #include "graze/base/errors.hpp"
-#include "graze/record/names/detail/comparison_names.hpp"
-#include "graze/record/names/detail/map_names.hpp"
+#include "graze/record/names/plane_names.hpp"
 #include "options/option.hpp"
 #include "run_output.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "graze/base/errors.hpp"
 #include "graze/report/chart/charts.hpp"
-#include "graze/report/page/detail/page.hpp"
+#include "graze/report/page/page.hpp"
 #include "run_output.hpp"
 #include "session.hpp"
 #include "shown_choice.hpp"

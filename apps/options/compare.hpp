@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "graze/record/names/detail/comparison_names.hpp"
+#include "graze/record/names/plane_names.hpp"
 #include "graze/record/study_records.hpp"
 #include "options/picture.hpp"
 #include "options/search.hpp"

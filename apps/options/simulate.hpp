@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/record/names/motion_names.hpp"
 #include "graze/record/run_picture.hpp"
 #include "graze/record/section.hpp"
 #include "options/picture.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "graze/record/names/detail/map_names.hpp"
-#include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/record/names/motion_names.hpp"
+#include "graze/record/names/plane_names.hpp"
 #include "graze/record/section.hpp"
 #include "graze/record/study_records.hpp"
 #include "graze/study/sweep/sweep.hpp"

@@ -6,8 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "graze/report/json/detail/json_page.hpp"
-
 namespace graze {
 namespace {
 

@@ -3,7 +3,7 @@
 #include "graze/bifurcation/problem/detail/special_names.hpp"
 #include "graze/record/described/detail/descriptions.hpp"
 #include "graze/record/described/detail/shared_parts.hpp"
-#include "graze/record/names/detail/kind_names.hpp"
+#include "graze/record/names/motion_names.hpp"
 
 namespace graze {
 namespace {

@@ -2,9 +2,8 @@
 
 #include "graze/record/described/detail/descriptions.hpp"
 #include "graze/record/described/detail/shared_parts.hpp"
-#include "graze/record/names/detail/comparison_names.hpp"
-#include "graze/record/names/detail/map_names.hpp"
-#include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/record/names/motion_names.hpp"
+#include "graze/record/names/plane_names.hpp"
 #include "graze/record/study_records.hpp"
 
 namespace graze {

@@ -5,8 +5,7 @@
 
 #include "graze/record/described/detail/descriptions.hpp"
 #include "graze/record/described/detail/shared_parts.hpp"
-#include "graze/record/names/detail/kind_names.hpp"
-#include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/record/names/motion_names.hpp"
 #include "graze/system/detail/hub_state.hpp"
 
 namespace graze {

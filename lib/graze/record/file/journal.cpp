@@ -5,7 +5,6 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -14,6 +13,7 @@
 
 #include "graze/base/errors.hpp"
 #include "graze/record/file/checksum.hpp"
+#include "graze/record/file/detail/fields.hpp"
 
 namespace graze {
 namespace {
@@ -224,5 +224,15 @@ std::vector<std::size_t> missing_pieces(const JournalHead& head,
   }
   return missing;
 }
+
+std::string piece_text(const SweepRow& row) { return value_text(row); }
+std::string piece_text(const SettledCell& cell) { return value_text(cell); }
+std::string piece_text(const ValueRun& run) { return value_text(run); }
+std::string piece_text(const ComparedCell& cell) { return value_text(cell); }
+
+bool read_piece(const std::string& text, SweepRow& row) { return read_value(text, row); }
+bool read_piece(const std::string& text, SettledCell& cell) { return read_value(text, cell); }
+bool read_piece(const std::string& text, ValueRun& run) { return read_value(text, run); }
+bool read_piece(const std::string& text, ComparedCell& cell) { return read_value(text, cell); }
 
 }  // namespace graze

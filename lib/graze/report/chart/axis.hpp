@@ -8,6 +8,8 @@ namespace graze {
 
 // Words that are no markup, as text that may hold some.
 std::string as_markup(const std::string& words);
+// "10^{-3} kg^1/2 m" as "10⁻³ kg^½ m", "q_{1}" and "q_1" as "q₁"; other markup is taken away.
+std::string plain_text(const std::string& markup);
 
 enum class AxisScale { kLinear, kLog, kDecibel };
 inline constexpr AxisScale kAxisScales[] = {AxisScale::kLinear, AxisScale::kLog,

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "graze/bifurcation/problem/detail/special_names.hpp"
-#include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/record/names/motion_names.hpp"
 #include "graze/report/chart/charts.hpp"
 #include "graze/report/chart/detail/branch_lines.hpp"
 #include "graze/report/chart/detail/chart_looks.hpp"

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "graze/record/names/detail/comparison_names.hpp"
+#include "graze/record/names/plane_names.hpp"
 #include "graze/record/study_records.hpp"
 #include "graze/report/chart/charts.hpp"
 #include "graze/report/chart/detail/motion_seen.hpp"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/record/names/motion_names.hpp"
 #include "graze/record/study_records.hpp"
 #include "graze/report/chart/charts.hpp"
 #include "graze/report/chart/detail/chart_looks.hpp"

@@ -1,7 +1,6 @@
 #include <cmath>
 
-#include "graze/record/names/detail/comparison_names.hpp"
-#include "graze/record/names/detail/map_names.hpp"
+#include "graze/record/names/plane_names.hpp"
 #include "graze/report/chart/charts.hpp"
 #include "graze/report/chart/detail/chart_loci.hpp"
 #include "graze/report/chart/detail/map_legend.hpp"

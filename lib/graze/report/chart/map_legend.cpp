@@ -6,9 +6,8 @@
 #include <map>
 #include <utility>
 
-#include "graze/record/names/detail/comparison_names.hpp"
-#include "graze/record/names/detail/map_names.hpp"
-#include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/record/names/motion_names.hpp"
+#include "graze/record/names/plane_names.hpp"
 
 namespace graze {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "graze/base/angle.hpp"
-#include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/record/names/motion_names.hpp"
 #include "graze/report/chart/detail/motion_seen.hpp"
 
 namespace graze {

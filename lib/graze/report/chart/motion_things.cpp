@@ -8,7 +8,7 @@
 #include <string>
 
 #include "graze/bifurcation/problem/detail/special_names.hpp"
-#include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/record/names/motion_names.hpp"
 #include "graze/report/appearance/looks.hpp"
 #include "graze/report/chart/detail/branch_lines.hpp"
 

@@ -9,7 +9,7 @@
 #include <map>
 #include <optional>
 
-#include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/record/names/motion_names.hpp"
 #include "graze/report/appearance/looks.hpp"
 
 namespace graze {

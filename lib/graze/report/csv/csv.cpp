@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "graze/record/described/detail/descriptions.hpp"
-#include "graze/record/names/detail/kind_names.hpp"
+#include "graze/record/names/motion_names.hpp"
 #include "graze/record/records.hpp"
 #include "graze/record/study_records.hpp"
 #include "graze/report/csv/detail/table_builder.hpp"

@@ -10,7 +10,7 @@
 #include "graze/motion/simulation.hpp"
 #include "graze/orbit/detail/orbit_curve.hpp"
 #include "graze/orbit/search/finder.hpp"
-#include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/record/names/motion_names.hpp"
 #include "graze/report/chart/detail/motion_seen.hpp"
 
 namespace graze {

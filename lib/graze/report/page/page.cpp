@@ -1,18 +1,16 @@
-#include "graze/report/page/detail/page.hpp"
-#include "graze/report/json/detail/json_document.hpp"
+#include "graze/report/page/page.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
 #include <array>
 #include <bit>
 #include <cstring>
 #include <filesystem>
-#include <map>
 #include <string_view>
 
 #include "graze/base/errors.hpp"
 #include "graze/record/file/files.hpp"
+#include "graze/report/json/detail/json_document.hpp"
 #include "graze/report/json/detail/json_page.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/page/detail/page_looks.hpp"
@@ -73,39 +71,6 @@ Json packed(const std::vector<double>& numbers) { return packed_as("f64", number
 Json packed(const std::vector<float>& numbers) { return packed_as("f32", numbers); }
 Json packed(const std::vector<std::int32_t>& numbers) { return packed_as("i32", numbers); }
 Json packed(const std::vector<std::uint8_t>& numbers) { return packed_as("u8", numbers); }
-
-std::string plain_text(const std::string& markup) {
-  static const std::map<char, std::string> kRaised = {
-      {'-', "⁻"}, {'0', "⁰"}, {'1', "¹"}, {'2', "²"}, {'3', "³"}, {'4', "⁴"},
-      {'5', "⁵"}, {'6', "⁶"}, {'7', "⁷"}, {'8', "⁸"}, {'9', "⁹"}};
-  static const std::map<char, std::string> kLowered = {
-      {'0', "₀"}, {'1', "₁"}, {'2', "₂"}, {'3', "₃"}, {'4', "₄"},
-      {'5', "₅"}, {'6', "₆"}, {'7', "₇"}, {'8', "₈"}, {'9', "₉"}};
-  std::string text = markup;
-  if (const std::size_t root = text.find("^1/2"); root != std::string::npos)
-    text.replace(root, 4, "^½");
-  std::string plain;
-  const std::map<char, std::string>* shifted = nullptr;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    const std::map<char, std::string>& single = c == '^' ? kRaised : kLowered;
-    if (c == '\\') {
-      if (++i < text.size()) plain += text[i];
-    } else if ((c == '^' || c == '_') && i + 1 < text.size() && single.contains(text[i + 1])) {
-      plain += single.at(text[++i]);
-    } else if ((c == '^' || c == '_') && i + 1 < text.size() && text[i + 1] == '{') {
-      shifted = c == '^' ? &kRaised : &kLowered;
-      ++i;
-    } else if (shifted && c == '}') {
-      shifted = nullptr;
-    } else if (shifted && shifted->contains(c)) {
-      plain += shifted->at(c);
-    } else {
-      plain += c;
-    }
-  }
-  return plain;
-}
 
 Json page_axis(const std::string& name, const std::string& si_unit, AxisRange range,
                double margin) {

@@ -1,8 +1,9 @@
 #include "graze/record/study_records.hpp"
+
 #include "graze/report/chart/charts.hpp"
 #include "graze/report/json/detail/json_page.hpp"
-#include "graze/report/page/detail/page.hpp"
 #include "graze/report/page/detail/page_plane.hpp"
+#include "graze/report/page/page.hpp"
 #include "graze/report/text/shell_word.hpp"
 
 namespace graze {

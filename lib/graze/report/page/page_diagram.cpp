@@ -5,14 +5,15 @@
 #include "graze/assembly/system_family.hpp"
 #include "graze/base/parallel.hpp"
 #include "graze/bifurcation/problem/detail/special_names.hpp"
-#include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/record/names/motion_names.hpp"
 #include "graze/report/appearance/looks.hpp"
 #include "graze/report/chart/charts.hpp"
 #include "graze/report/chart/detail/motion_observables.hpp"
 #include "graze/report/chart/detail/motion_things.hpp"
 #include "graze/report/json/detail/json_page_orbits.hpp"
-#include "graze/report/page/detail/page.hpp"
-#include "graze/report/page/detail/page_tables.hpp"
+#include "graze/report/page/detail/page_chart.hpp"
+#include "graze/report/page/page.hpp"
+#include "graze/report/page/page_tables.hpp"
 
 namespace graze {
 namespace {

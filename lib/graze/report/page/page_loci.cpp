@@ -2,13 +2,12 @@
 
 #include <algorithm>
 
-#include "graze/record/names/detail/kind_names.hpp"
-#include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/record/names/motion_names.hpp"
 #include "graze/report/chart/charts.hpp"
 #include "graze/report/json/detail/json_page.hpp"
-#include "graze/report/page/detail/page.hpp"
 #include "graze/report/page/detail/page_plane.hpp"
-#include "graze/report/page/detail/page_tables.hpp"
+#include "graze/report/page/page.hpp"
+#include "graze/report/page/page_tables.hpp"
 
 namespace graze {
 namespace {

@@ -12,8 +12,8 @@
 #include "graze/report/json/detail/json_document.hpp"
 #include "graze/report/json/detail/json_page.hpp"
 #include "graze/report/json/detail/json_page_orbits.hpp"
-#include "graze/report/page/detail/page.hpp"
 #include "graze/report/page/detail/page_plane.hpp"
+#include "graze/report/page/page.hpp"
 #include "graze/study/sweep/settled_row.hpp"
 
 namespace graze {

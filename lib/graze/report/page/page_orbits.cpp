@@ -1,5 +1,6 @@
 #include "graze/report/json/detail/json_page_orbits.hpp"
-#include "graze/report/page/detail/page.hpp"
+
+#include "graze/report/page/page.hpp"
 
 namespace graze {
 

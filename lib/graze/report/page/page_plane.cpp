@@ -1,13 +1,12 @@
 #include "graze/report/page/detail/page_plane.hpp"
 
 #include <fmt/format.h>
-
 #include <cstdint>
 #include <map>
 
 #include "graze/report/chart/detail/chart_loci.hpp"
 #include "graze/report/json/detail/json_page.hpp"
-#include "graze/report/page/detail/page_tables.hpp"
+#include "graze/report/page/page_tables.hpp"
 #include "graze/scene/start_coordinate.hpp"
 
 namespace graze {

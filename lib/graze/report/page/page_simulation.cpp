@@ -3,9 +3,9 @@
 #include "graze/report/chart/charts.hpp"
 #include "graze/report/chart/detail/motion_seen.hpp"
 #include "graze/report/json/detail/json_page.hpp"
-#include "graze/report/page/detail/page.hpp"
 #include "graze/report/page/detail/page_beam.hpp"
 #include "graze/report/page/detail/page_chart.hpp"
+#include "graze/report/page/page.hpp"
 
 namespace graze {
 namespace {

@@ -1,13 +1,12 @@
-#include "graze/report/page/detail/page_tables.hpp"
+#include "graze/report/page/page_tables.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "graze/assembly/probes.hpp"
-#include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/record/names/motion_names.hpp"
 #include "graze/record/study_records.hpp"
 #include "graze/report/chart/axis.hpp"
 #include "graze/report/json/detail/json_page.hpp"

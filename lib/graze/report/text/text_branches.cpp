@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graze/record/names/motion_names.hpp"
 #include "graze/record/records.hpp"
-#include "graze/record/names/detail/kind_names.hpp"
 #include "graze/report/text/detail/number_text.hpp"
 #include "graze/report/text/detail/sentences.hpp"
 #include "graze/report/text/detail/table.hpp"

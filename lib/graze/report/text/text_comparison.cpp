@@ -4,8 +4,8 @@
 #include <cmath>
 #include <map>
 
-#include "graze/record/names/detail/comparison_names.hpp"
-#include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/record/names/motion_names.hpp"
+#include "graze/record/names/plane_names.hpp"
 #include "graze/report/text/detail/folding.hpp"
 #include "graze/report/text/detail/sentences.hpp"
 #include "graze/report/text/detail/text_plane.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "graze/bifurcation/loci/orbit_loci.hpp"
-#include "graze/record/names/detail/kind_names.hpp"
+#include "graze/record/names/motion_names.hpp"
 #include "graze/record/study_records.hpp"
 #include "graze/report/text/detail/number_text.hpp"
 #include "graze/report/text/detail/sentences.hpp"

@@ -2,8 +2,8 @@
 
 #include <map>
 
-#include "graze/record/names/detail/map_names.hpp"
-#include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/record/names/motion_names.hpp"
+#include "graze/record/names/plane_names.hpp"
 #include "graze/report/text/detail/folding.hpp"
 #include "graze/report/text/detail/number_text.hpp"
 #include "graze/report/text/detail/sentences.hpp"

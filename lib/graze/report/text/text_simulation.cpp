@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
+#include "graze/record/names/motion_names.hpp"
 #include "graze/record/records.hpp"
-#include "graze/record/names/detail/kind_names.hpp"
 #include "graze/report/text/detail/number_text.hpp"
 #include "graze/report/text/detail/sentences.hpp"
 #include "graze/report/text/detail/table.hpp"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "graze/record/names/detail/sweep_names.hpp"
+#include "graze/record/names/motion_names.hpp"
 #include "graze/report/text/detail/folding.hpp"
 #include "graze/report/text/detail/sentences.hpp"
 #include "graze/report/text/detail/text_units.hpp"

@@ -18,9 +18,6 @@ Json packed(const std::vector<float>& numbers);
 Json packed(const std::vector<std::int32_t>& numbers);
 Json packed(const std::vector<std::uint8_t>& numbers);
 
-// "10^{-3} kg^1/2 m" as "10⁻³ kg^½ m", "q_{1}" and "q_1" as "q₁"; other markup is taken away.
-std::string plain_text(const std::string& markup);
-
 // A quantity with its axis: name, unit, SI unit, factor (from SI to the unit) and the range, SI,
 // with a part of it more on both sides.
 Json page_axis(const std::string& name, const std::string& si_unit, AxisRange range,

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "graze/record/record_names.hpp"
-#include "graze/report/page/detail/page_chart.hpp"
+#include "graze/report/page/page.hpp"
 
 namespace graze {
 

@@ -1,8 +1,12 @@
-// The words of results for a sweep.
+// The words of results for motions: events, ends, stabilities, and what a sweep settles on.
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "graze/bifurcation/problem/orbit_locus.hpp"
+#include "graze/bifurcation/trace/orbit_branches.hpp"
+#include "graze/motion/simulation.hpp"
 #include "graze/record/study_records.hpp"
 
 namespace graze {
@@ -34,5 +38,14 @@ std::size_t stops_seen(const SweepRow& row);
 // (frequency t + phase) mod 2 pi, rad.
 long long period_index(const SweepRow& row, const MetImpact& impact);
 double impact_phase(const MetImpact& impact);
+
+// The words of results for kinds and ends.
+
+std::string name_of(EventKind kind);
+std::string name_of(OrbitBranchEnd end);
+std::string name_of(OrbitLocusEnd end);
+
+// "yes", "no", or "on the circle" for a stability that rounding leaves open.
+std::string stability_word(const std::optional<bool>& stable);
 
 }  // namespace graze

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "graze/record/record_names.hpp"
+#include "graze/record/file/run_info.hpp"
+#include "graze/record/records.hpp"
 #include "graze/record/study_records.hpp"
+#include "graze/report/chart/chart.hpp"
 
 namespace graze {
 
@@ -44,5 +47,19 @@ void write_page(const std::string& file, const LociRecord& record, const Scene& 
 
 // What two scenes have in common over a plane. `scene`: the first of them.
 void write_page(const std::string& file, const ComparisonMapRecord& record, const Scene& scene);
+
+// Of cells as they are shown, numbers with their units or units in the names of the columns.
+struct PageTable {
+  std::string name;  // "Fitted parameters"
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;
+  std::vector<int> opens =
+      {};  // the thing that the first cell of each row opens, -1: none; or none
+};
+
+// Any chart, with tables below it.
+void write_page(const std::string& file, const Chart& chart, const RunInfo& info,
+                const Outcome& outcome, const std::vector<std::string>& warnings,
+                const std::vector<PageTable>& tables = {});
 
 }  // namespace graze
