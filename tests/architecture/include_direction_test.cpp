@@ -288,6 +288,14 @@ TEST(Architecture, PublicHeadersIncludePublicHeaders) {
   }
 }
 
+// Else who uses the library could not do what the program does.
+TEST(Architecture, ProgramsIncludePublicHeaders) {
+  for (const fs::path& file : sources("apps"))
+    for (const std::string& header : includes(file))
+      EXPECT_EQ(header.find("/detail/"), std::string::npos)
+          << name_of(file) << " includes " << header;
+}
+
 // Else two headers could not be included in one file.
 TEST(Architecture, NoTwoTypesHaveOneName) {
   const std::regex type(R"(^(?:struct|class|enum class) (\w+)(?: final)?(?: : [^;{]*)? ?\{.*)");
