@@ -133,8 +133,9 @@ TEST(StickingBranchCommand, OfFourPeriodsEndsWhereItsChatterCompletesNoMore) {
       run_graze("diagram --json --points 20 --from 2.885 --to 2.8945 --parameter " +
                 ("forcing.frequency " + kOscillator));
   ASSERT_EQ(run.code, 0) << run.err;
+  const json document = json::parse(run.out);
   std::vector<json> found;
-  for (const json& branch : json::parse(run.out)["branches"])
+  for (const json& branch : document["branches"])
     if (branch["period"] == 4) found.push_back(branch);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0]["ends"], json::array({"CH", "CH"}));
