@@ -23,8 +23,8 @@ struct Node {
   int point = 0;  // as of BranchLine::Node
 };
 
-// The impacts of an orbit are listed by their phases, and the first may become the last from one
-// point to the next: turned so that each stays near itself.
+// The impacts of an orbit are sorted by phase, and the first may become the last from one point to
+// the next: rotates the list so that each impact stays near itself.
 void align(const Node& before, Node& node) {
   if (node.y.size() != before.y.size() || node.y.size() < 2) return;
   std::vector<double> best = node.y;
@@ -74,10 +74,11 @@ void LineMaker::add(std::size_t index, const OrbitBranch& branch, const DiagramC
   }
   if (nodes.empty()) return;
   const LineKind first = *nodes.front().kind;
-  // Where it joins orbits of half the period a multiplier is 1; that says nothing of the branch.
+  // Where it joins orbits of half the period a multiplier is 1, whatever the stability of the
+  // branch.
   if (branch.ends[0] == OrbitBranchEnd::kPeriodDoubling) nodes.front().kind.reset();
   if (branch.ends[1] == OrbitBranchEnd::kPeriodDoubling) nodes.back().kind.reset();
-  // Nor where a multiplier is on the circle in a single point: it passes there.
+  // Likewise a multiplier on the circle at a single point, where it crosses.
   for (std::size_t k = 1; k + 1 < nodes.size(); ++k)
     if (nodes[k].kind == kOpenLine && nodes[k - 1].kind != kOpenLine &&
         nodes[k + 1].kind != kOpenLine)
@@ -93,12 +94,12 @@ void LineMaker::add_special(const SpecialPoint& special, int index,
                             const std::vector<double>& heights, std::vector<Node>& nodes) {
   Node place{special.at.value, heights, {}, -1 - index};
   insert(nodes, place);
-  // One mark is enough for all that a chatter shows.
+  // One mark is enough for all impacts of a chatter.
   if (special.at.orbit.sticks() && place.y.size() > 1) place.y.resize(1);
   made_.marks.push_back({branch_, static_cast<std::size_t>(index), place.x, place.y});
 }
 
-// On the node that it is, or between the two that it makes the smallest detour from.
+// Inserts it at its node, or between the two nodes with the smallest detour.
 void LineMaker::insert(std::vector<Node>& nodes, Node& special) const {
   if (special.y.empty()) return;
   double least = std::numeric_limits<double>::infinity();
@@ -124,8 +125,8 @@ void LineMaker::insert(std::vector<Node>& nodes, Node& special) const {
   if (least < 0.05) nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(place), special);
 }
 
-// The j-th curve of the branch. Between two nodes it is what its first node is; where that has no
-// kind, the second.
+// The j-th curve of the branch. A line between two nodes has the kind of the first; if that has
+// none, of the second.
 void LineMaker::draw(const std::vector<Node>& nodes, std::size_t j, LineKind first) {
   const Node& start = nodes.front();
   const bool lone = std::all_of(nodes.begin(), nodes.end(), [&](const Node& other) {

@@ -1,5 +1,5 @@
-// A picture as a value: panels with axes, and on them curves, marks and fills, each with the look
-// of what it stands for. Pictures (gnuplot) and pages (a browser) draw the same charts.
+// A picture as a value: panels with axes, and on them curves, marks and fills, each with its look.
+// Pictures (gnuplot) and pages (a browser) draw the same charts.
 #pragma once
 
 #include <array>
@@ -16,15 +16,15 @@ namespace graze {
 struct ChartAxis {
   std::string name = {};  // may use gnuplot's markup: "q_{1}"; \n begins a new line
   std::string unit = {};  // SI, "" for a pure number
-  AxisRange range = {};   // of the values, SI; empty: of what is drawn
+  AxisRange range = {};   // of the values, SI; empty: of the drawn data
   AxisScale scale = AxisScale::kLinear;
-  std::string path = {};   // of the parameter that it is, "forcing.frequency"; or none
+  std::string path = {};   // of the parameter on the axis, "forcing.frequency"; or empty
   bool from_zero = false;  // zero belongs to the range
-  bool is_asked = false;  // a range or a scale that is asked for holds for it, as for the first one
+  bool is_asked = false;  // a requested range or scale applies to it, as to the first one
 };
 
 struct ChartSeries {
-  std::string title;  // of the legend, empty: none there; what has one title is one entry
+  std::string title;  // in the legend, empty: none; equal titles make one entry
   Look look;
   bool is_line = true, has_marks = false;
   std::vector<double> x, y;        // SI; a NaN breaks a line
@@ -41,8 +41,8 @@ struct ChartName {
   std::vector<std::pair<double, double>> places;  // SI
 };
 
-// Cells of a panel, row by row. A cell has a number, shown by a scale of colours that stands beside
-// the axes, or a ground, or neither.
+// Cells of a panel, row by row. A cell has a number, shown by a scale of colours beside the axes,
+// or a ground, or neither.
 struct ChartCells {
   struct Ground {
     std::string title, colour;
@@ -52,13 +52,13 @@ struct ChartCells {
   std::array<double, 2> x{}, y{};
   std::vector<Ground> grounds;
   std::vector<int> ground;                // of every cell, -1: none
-  std::vector<double> numbers = {};       // of every cell, SI, a NaN: none; or no cell has one
+  std::vector<double> numbers = {};       // of every cell, SI, NaN for none; empty: no cell has one
   ChartAxis bar = {};                     // of the numbers
   std::vector<std::string> colours = {};  // of the bar, at equal steps from its low end
 };
 
-// A filled part of the panel, from one value of x to another over the whole height, or likewise of
-// y; beyond the axes where infinite.
+// A filled part of the panel, between two values of x over the whole height, or likewise of y;
+// beyond the axes where infinite.
 struct ChartFill {
   bool is_upright = false;  // across: between values of y
   double from = 0.0, to = 0.0;
@@ -78,11 +78,11 @@ struct ChartPanel {
   std::optional<ChartCells> cells = {};  // below all else
 };
 
-// Rows of panels, from the head down; panels one below the other over equal axes share their names.
+// Rows of panels, from the top; panels above each other over equal axes share their names.
 struct Chart {
   std::string title;  // of a page: "Fit"
   std::vector<std::vector<ChartPanel>> rows;
-  std::vector<std::string> legend = {};  // titles in their order; those not among them come first
+  std::vector<std::string> legend = {};  // titles in their order; titles not listed come first
 };
 
 }  // namespace graze

@@ -36,7 +36,7 @@ std::vector<LocusPart> locus_parts(const OrbitLocus& locus) {
 }
 
 void add_loci(const OrbitLoci& traced, ChartPanel& panel) {
-  // Thinner as they crowd.
+  // Lines are thinner when there are many.
   const double weight = kHeavy * crowded_mark_size(traced.loci.size());
   std::map<std::string, ChartSeries> by_kind;
   for (const Look& look : locus_looks()) {

@@ -9,14 +9,14 @@
 namespace graze {
 namespace {
 
-// More couplings than so many a node are those of a solid, which lines would only hide.
+// More couplings per node than this are those of a solid, which lines would only hide.
 constexpr std::size_t kMostLinesPerNode = 3;
 
-// Of VTK.
+// Cell types of VTK.
 constexpr int kVertex = 1, kPolyVertex = 2, kVtuLine = 3;
 
-// How ParaView draws an element: the first of these that its type begins with, and in which order
-// VTK has its nodes, where that is another one. It has as many nodes.
+// How ParaView draws an element: the first of these that its type begins with and that has as many
+// nodes, with VTK's order of its nodes if that differs.
 struct Drawn {
   const char* type;
   std::size_t nodes;
@@ -39,7 +39,7 @@ struct Grid {
   std::vector<Cell> cells;
 };
 
-// What is not known how to draw is drawn by its nodes.
+// Elements of unknown types are drawn by their nodes.
 int cell_of(const MeshElement& element) {
   for (const Drawn& drawn : kDrawn)
     if (element.type.starts_with(drawn.type) && element.nodes.size() == drawn.nodes)
