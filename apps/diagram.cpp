@@ -45,7 +45,7 @@ DiagramBranches wanted_branches(const DiagramCommand& command) {
   return wanted;
 }
 
-// The branches; how that ended, or nothing where they are not wanted.
+// Adds the branches; returns the outcome, or nullopt if they are not wanted.
 std::optional<Outcome> add_branches(const DiagramCommand& command, DiagramBranches wanted,
                                     const SystemFamily& family, BranchOptions options,
                                     DiagramRecord& record) {

@@ -52,7 +52,7 @@ const Outcome& outcome_of(const FoundResult& result);
 std::string document_of(const FoundResult& result);
 // The files of --out without their endings: "events", "samples", "branches", ..
 std::vector<std::string> table_names(const FoundResult& result);
-// One of them, other than samples; nothing where there is no such table.
+// One of them, other than samples; nullopt if there is no such table.
 std::optional<ResultTable> table_of(const FoundResult& result, const std::string& name);
 
 }  // namespace graze

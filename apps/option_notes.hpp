@@ -1,4 +1,4 @@
-// Which options a result depends on, as the result tells them.
+// The options that a result depends on, as the result records them.
 #pragma once
 
 #include <fmt/format.h>

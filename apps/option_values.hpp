@@ -8,7 +8,7 @@
 
 namespace graze {
 
-// Nothing where the text is no finite number, or more than one.
+// Returns nullopt if the text is not exactly one finite number.
 std::optional<double> number_in(const std::string& text);
 
 // Of a size that scenes allow too.

@@ -41,7 +41,7 @@ SimulationOptions simulation_options(const SimulateCommand& command, const Scene
         fmt::format("{}the scene has no forcing, so it has no forcing periods; give "
                     "--duration in seconds",
                     command.periods ? "--periods: " : ""));
-  // Whole periods are counted in 64 bits, and a double tells the periods apart up to 2^53.
+  // Whole periods are counted in 64 bits, and a double distinguishes them up to 2^53.
   if (options.duration && scene.forcing &&
       *options.duration * scene.forcing->frequency > kTurn * 0x1p53)
     throw InputError("--duration: it must not exceed 2^53 forcing periods");

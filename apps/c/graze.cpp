@@ -172,7 +172,7 @@ std::vector<std::string> words_of(const char* const* words, std::size_t count) {
   return list;
 }
 
-// Does the command; whatever goes wrong is told in the result.
+// Runs the command; errors are reported in the result.
 void run_into(graze_result& result, const char* scene, const std::vector<std::string>& words) {
   result.status = caught(
       [&] {

@@ -79,7 +79,7 @@ int run_first(int argc, char** argv, MpiMessages& messages) {
 }
 
 void run_other(int argc, char** argv, MpiMessages& messages) {
-  // Errors of usage are told by the first rank.
+  // The first rank reports errors of usage.
   for (std::FILE* stream : {stdout, stderr})
     if (!std::freopen("/dev/null", "w", stream)) std::fclose(stream);
   OtherRank workers(messages, interrupted);

@@ -20,7 +20,7 @@ struct RangeOptions {
   double from = 0.0, to = 0.0;
 };
 
-// The same of a second one; nothing where there is none.
+// The same of a second parameter; empty if there is none.
 struct SecondRangeOptions {
   std::string second;
   std::optional<double> second_from, second_to;

@@ -46,7 +46,7 @@ struct MapCommand : LocusTracingOptions {
   JournalOptions journal;
 };
 
-// The values of a sweep and what is told at each.
+// The values of a sweep and what is reported at each.
 void describe_sweep(auto& v, DiagramCommand& o, bool of_sweep) {
   v.heading("Sweep");
   v.option("points", o.points, "N", "Values from A to B, both among them",

@@ -8,8 +8,8 @@
 
 namespace graze {
 
-// Colours that the colour-blind tell apart (M. Okabe, K. Ito, Color Universal Design, 2008; purple
-// is P. Tol's, dark enough for a line on a tinted ground).
+// Colours that colour-blind readers can distinguish (M. Okabe, K. Ito, Color Universal Design,
+// 2008; purple is P. Tol's, dark enough for a line on a tinted ground).
 inline constexpr const char* kBlue = "#0072B2";
 inline constexpr const char* kVermillion = "#D55E00";
 inline constexpr const char* kGreen = "#009E73";
@@ -37,7 +37,7 @@ struct Look {
   double size = 1.0;  // of the mark, relative
 };
 
-// Lines of branches, in the order in which they are drawn: what an experiment shows lies on top.
+// Lines of branches, in the order of drawing: orbits that an experiment shows lie on top.
 // virtual, open, unstable, stable
 std::span<const Look> line_looks();
 
@@ -46,22 +46,22 @@ std::span<const Look> special_looks();
 const Look& special_look(const std::string& label);  // of one unknown as well
 const Look& virtual_special_look();
 
-// Loci of special points, "LP" to "CH"; "virtual" for what is no orbit of the system.
+// Loci of special points, "LP" to "CH"; "virtual" for virtual solutions.
 std::span<const Look> locus_looks();
 const Look& codimension_two_look();
 
-// Dots of a sweep: periodic, wild, and of exponents: largest, lower, and cut, at the edge of an
-// axis beyond which they lie.
+// Dots of a sweep: periodic, not periodic, and of exponents: largest, lower, and cut off, at the
+// edge of an axis beyond which they lie.
 std::span<const Look> dot_looks();
 const Look& dot_look(const std::string& id);
 
-// Grounds of cells, by what their motion settles on: the motions that always look alike, then the
-// colours that others have by their number of cells.
+// Grounds of cells, by their settled motion: the motions that always look alike, then the colours
+// that others get by their number of cells.
 std::span<const Look> ground_looks();
 const Look& ground_look(const std::string& id);   // of an id that is there
 const Look* fixed_ground(const std::string& id);  // null where none always looks alike
 std::span<const char* const> other_grounds();
-// Of cells that tell of no motion, one after the other by what they say instead.
+// Grounds for cells without a motion, assigned in order of their texts.
 std::span<const char* const> grounds_without_motion();
 
 // Colours of curves that share a panel, one after the other.
@@ -71,7 +71,7 @@ std::span<const char* const> curve_colours();
 // 36 are alike.
 Look curve_look(std::size_t i);
 
-// All of them, a group each, for the table of the gallery.
+// All looks in groups, for the table of the gallery.
 struct LookGroup {
   std::string name;
   std::vector<Look> looks;

@@ -97,7 +97,7 @@ AxisUnit axis_unit(const std::string& si_unit, double largest) {
   for (const Named& named : kNamed)
     if (si_unit == named.si && largest < named.below && named.unit.factor * largest >= 0.02)
       return named.unit;
-  // Numbers that would not fit beside an axis leave their power of a thousand to the unit.
+  // Numbers too long for an axis pass their power of a thousand to the unit.
   if (largest >= 0.02 && largest < 1e5) return {1.0, si_unit};
   const int power = 3 * static_cast<int>(std::floor(std::log10(largest) / 3.0));
   return {std::pow(10.0, -power),
@@ -105,7 +105,7 @@ AxisUnit axis_unit(const std::string& si_unit, double largest) {
 }
 
 void AxisRange::include(double value) {
-  // A run that left double precision must not take the axis with it.
+  // Values near the end of double precision must not spoil the axis.
   if (!(std::abs(value) < 1e300)) return;
   low = std::min(low, value);
   high = std::max(high, value);
@@ -119,7 +119,7 @@ void AxisRange::include(const AxisRange& other) {
 
 void AxisRange::settle(double margin) {
   if (empty()) low = 0.0, high = 1.0;
-  // Below this the tics of a double axis can no longer be told apart.
+  // For a smaller span the tics of a double axis would coincide.
   const double size = std::max(std::abs(low), std::abs(high));
   const double least = size > 0.0 ? 1e-9 * size : 1.0;
   if (span() < least) {
@@ -148,7 +148,7 @@ double AxisRange::tic_step(int most) const {
 
 namespace {
 
-// By the path without its numbers.
+// Looked up by the path without its numbers.
 const std::map<std::string, std::string>& quantity_names() {
   static const std::map<std::string, std::string> kNames = {
       {"forcing.frequency", "forcing frequency Ω"},
@@ -223,7 +223,7 @@ std::string parameter_title(const std::string& path) {
       known += (known.empty() ? "" : ".") + word;
       continue;
     }
-    // What stands in a list at the end is of modes, elsewhere of one of several tables.
+    // A number at the end counts modes, elsewhere one of several tables.
     const bool is_last = words.peek() == std::istringstream::traits_type::eof();
     if (is_last)
       own = (before == "height" ? " " : " of mode ") + word;

@@ -6,7 +6,7 @@
 
 namespace graze {
 
-// Words that are no markup, as text that may hold some.
+// Text in which possible markup characters are escaped.
 std::string as_markup(const std::string& words);
 // "10^{-3} kg^1/2 m" as "10⁻³ kg^½ m", "q_{1}" and "q_1" as "q₁"; other markup is taken away.
 std::string plain_text(const std::string& markup);
@@ -22,10 +22,10 @@ struct AxisUnit {
   std::string unit;  // "" for a pure number
 };
 
-// The unit in which values up to `largest` are read best: "mm" for "m", or "10^{-3} kg^1/2 m".
+// The most readable unit for values up to `largest`: "mm" for "m", or "10^{-3} kg^1/2 m".
 AxisUnit axis_unit(const std::string& si_unit, double largest);
 
-// What an axis spans, in its own unit.
+// The range of an axis, in its own unit.
 struct AxisRange {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -34,10 +34,11 @@ struct AxisRange {
   double span() const { return high - low; }
   void include(double value);  // ignored unless finite, and below 1e300
   void include(const AxisRange& other);
-  // Wide enough to draw on, whatever was included; then a part of the span more on both sides.
+  // Makes it wide enough to draw on, whatever was included, and adds a part of the span on both
+  // sides.
   void settle(double margin);
   std::string text() const;  // "[low:high]"
-  // Where a value stands between the ends, 0 to 1; on a logarithmic axis by its logarithm.
+  // Position of a value between the ends, 0 to 1; on a logarithmic axis by its logarithm.
   double part(double value, bool is_log = false) const;
   // 1, 2 or 5 times a power of ten: the smallest step with at most `most` tics.
   double tic_step(int most) const;
@@ -46,7 +47,7 @@ struct AxisRange {
 // The label of a parameter given by its path, without the unit.
 std::string parameter_title(const std::string& path);
 
-// Of a parameter in its unit, "" of a scene without units.
+// Whether a parameter in this unit ("" for a scene without units) has a second axis in Hz.
 bool has_hertz_axis(const std::string& parameter, const std::string& unit);
 
 }  // namespace graze

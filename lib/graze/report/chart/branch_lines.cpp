@@ -23,8 +23,8 @@ struct Node {
   }
 };
 
-// The impacts of an orbit are listed by their phases, and the first may become the last from one
-// point to the next: turned so that each stays near itself.
+// The impacts of an orbit are sorted by phase, and the first may become the last from one point to
+// the next: rotates the list so that each impact stays near itself.
 void align(const Node& before, Node& node) {
   if (node.y.size() != before.y.size() || node.y.size() < 2) return;
   std::vector<double> best = node.y;
@@ -76,10 +76,11 @@ void LineMaker::add(std::size_t index, const OrbitBranch& branch, const DiagramC
   }
   if (nodes.empty()) return;
   const LineKind first = *nodes.front().kind;
-  // Where it joins orbits of half the period a multiplier is 1; that says nothing of the branch.
+  // Where it joins orbits of half the period a multiplier is 1, whatever the stability of the
+  // branch.
   if (branch.ends[0] == OrbitBranchEnd::kPeriodDoubling) nodes.front().kind.reset();
   if (branch.ends[1] == OrbitBranchEnd::kPeriodDoubling) nodes.back().kind.reset();
-  // Nor where a multiplier is on the circle in a single point: it passes there.
+  // Likewise a multiplier on the circle at a single point, where it crosses.
   for (std::size_t k = 1; k + 1 < nodes.size(); ++k)
     if (nodes[k].kind == kOpenLine && nodes[k - 1].kind != kOpenLine &&
         nodes[k + 1].kind != kOpenLine)
@@ -106,7 +107,7 @@ void LineMaker::add_special(const SpecialPoint& special, int index,
   made_.marks.push_back(std::move(mark));
 }
 
-// On the node that it is, or between the two that it makes the smallest detour from.
+// Inserts it at its node, or between the two nodes with the smallest detour.
 void LineMaker::insert(std::vector<Node>& nodes, Node& special) const {
   if (special.y.empty()) return;
   double least = std::numeric_limits<double>::infinity();
@@ -132,8 +133,8 @@ void LineMaker::insert(std::vector<Node>& nodes, Node& special) const {
   if (least < 0.05) nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(place), special);
 }
 
-// The j-th curve of the branch. Between two nodes it is what its first node is; where that has no
-// kind, the second.
+// The j-th curve of the branch. A line between two nodes has the kind of the first; if that has
+// none, of the second.
 void LineMaker::draw(const std::vector<Node>& nodes, std::size_t j, LineKind first) {
   const Node& start = nodes.front();
   const bool lone = std::all_of(nodes.begin(), nodes.end(), [&](const Node& other) {

@@ -1,5 +1,5 @@
-// A picture as a value: panels with axes, and on them curves, marks and fills, each with the look
-// of what it stands for. Pictures (gnuplot) and pages (a browser) draw the same charts.
+// A picture as a value: panels with axes, and on them curves, marks and fills, each with its look.
+// Pictures (gnuplot) and pages (a browser) draw the same charts.
 #pragma once
 
 #include <array>
@@ -17,16 +17,16 @@ namespace graze {
 struct ChartAxis {
   std::string name = {};  // may use gnuplot's markup: "q_{1}"; \n begins a new line
   std::string unit = {};  // SI, "" for a pure number
-  AxisRange range = {};   // of the values, SI; empty: of what is drawn
+  AxisRange range = {};   // of the values, SI; empty: of the drawn data
   AxisScale scale = AxisScale::kLinear;
-  std::string path = {};   // of the parameter that it is, "forcing.frequency"; or none
+  std::string path = {};   // of the parameter on the axis, "forcing.frequency"; or empty
   bool from_zero = false;  // zero belongs to the range
   bool is_asked = false;  // a range or a scale that is asked for holds for it, as for the first one
   std::string key = {};   // of the number of the chart's things that it shows; or none
 };
 
 struct ChartSeries {
-  std::string title;  // of the legend, empty: none there; what has one title is one entry
+  std::string title;  // in the legend, empty: none; equal titles make one entry
   Look look;
   bool is_line = true, has_marks = false;
   std::vector<double> x, y;        // SI; a NaN breaks a line
@@ -45,8 +45,8 @@ struct ChartName {
   std::vector<std::pair<double, double>> places;  // SI
 };
 
-// Cells of a panel, row by row. A cell has a number, shown by a scale of colours that stands beside
-// the axes, or a ground, or neither.
+// Cells of a panel, row by row. A cell has a number, shown by a scale of colours beside the axes,
+// or a ground, or neither.
 struct ChartCells {
   struct Ground {
     std::string title, colour;
@@ -65,8 +65,8 @@ struct ChartCells {
   std::vector<std::string> colours = {};  // of the bar, at equal steps from its low end
 };
 
-// A filled part of the panel, from one value of x to another over the whole height, or likewise of
-// y; beyond the axes where infinite.
+// A filled part of the panel, between two values of x over the whole height, or likewise of y;
+// beyond the axes where infinite.
 struct ChartFill {
   bool is_upright = false;  // across: between values of y
   double from = 0.0, to = 0.0;

@@ -23,7 +23,7 @@ constexpr double kThin = 0.55;  // of curves over dots, by those without
 constexpr double kCut = 2.0;    // of marks where an axis cuts, by dots
 constexpr double kLone = 0.5;   // of a branch that is one point
 
-// Dots of a panel by the ids of their looks, and the heights that its axis shows.
+// Dots of a panel by the ids of their looks, and the heights on its axis.
 struct PanelDots {
   std::map<std::string, ChartSeries> series;
   AxisRange range;
@@ -40,8 +40,8 @@ struct PanelDots {
   }
 };
 
-// Those that lie on top come last. Motions that never repeat fill areas: their dots shrink as they
-// crowd.
+// Dots that lie on top come last. Motions that never repeat fill areas: their dots shrink with
+// their number.
 void add_dots(PanelDots& dots, ChartPanel& panel) {
   for (const char* id : {"cut", "lower", "wild", "largest", "periodic"}) {
     const auto found = dots.series.find(id);
@@ -196,7 +196,7 @@ class BranchesChart {
     return record_.traced.branches[mark.branch].special[mark.special];
   }
 
-  // Of a kind that has no look its label is the title.
+  // The label is the title of a kind without a look.
   void add_marks(const std::vector<BranchMark>& marks, ChartPanel& panel) {
     const double size = crowded_mark_size(marks.size());
     ChartSeries others = marks_of(virtual_special_look());
@@ -224,8 +224,8 @@ class BranchesChart {
     }
   }
 
-  // The ids of special points, and the branches, each once, on its line of the best kind. Beside
-  // many ids those of the orbits would be lost.
+  // Adds the ids of special points, and the names of branches, each once, on its line of the best
+  // kind; not with many ids, among which those of the orbits would be lost.
   void name(const BranchLines& made, ChartPanel& panel) const {
     constexpr std::size_t kDozen = 12, kPlaces = 24;
     for (const BranchMark& mark : made.marks)
@@ -261,7 +261,7 @@ class BranchesChart {
   std::vector<std::vector<ChartPanel>> first_;  // while layouts are made
 };
 
-// Of several observables of a motion the first, and displacements everywhere.
+// Shows the first of several observables of a motion, and displacements in all cases.
 Chart branches_chart(const BranchRecord& record, const Sweep* swept,
                      const std::vector<MotionObservable>& observables, bool multipliers) {
   BranchesChart chart(record, swept, false);

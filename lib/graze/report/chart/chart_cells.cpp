@@ -78,7 +78,7 @@ void set_numbers(const CellNumbers& numbers, ChartCells& cells) {
     ground = static_cast<int>(cells.grounds.size());
     cells.grounds.push_back({title, colour});
   };
-  // White is what is clear of the stops, in every picture that has such cells.
+  // White stands for "clear of the stops", in every picture with such cells.
   for (const char* name : kClear)
     if (const auto clear = grounds.find(name); clear != grounds.end())
       add(clear->second, std::string(name) + " (blank)", ground_look("blank").colour);

@@ -36,8 +36,8 @@ ChartSeries curve_of(const MotionSeen& seen, double MotionPoint::*part, const st
   return series;
 }
 
-// What is behind the stops of the first motion; those of the other one, where they are not the
-// same, as lines, dashed as it is.
+// Shades the space behind the stops of the first motion; those of the other one, if different, are
+// lines, dashed as its curves.
 void add_stops(const std::vector<MotionSeen>& seen, ChartPanel& panel) {
   double largest = 0.0;
   for (const ChartSeries& series : panel.series)
@@ -94,7 +94,7 @@ Chart modes_chart(const ComparisonRecord& record) {
                        {}};
     for (std::size_t i = 0; i < record.differences.size(); ++i) {
       const double size = std::abs(compared_value(record.differences[i], look.quantity));
-      // What is exactly alike has no place on the axis.
+      // A difference of zero has no place on a logarithmic axis.
       if (!(size > 0.0)) continue;
       series.x.push_back(record.modes[i]);
       series.y.push_back(size);

@@ -23,12 +23,12 @@ const std::vector<FlowLook>& flow_looks() {
   return looks;
 }
 
-// An error that is nothing at all has no place on a logarithmic axis: it is drawn at the last bit.
+// An error of zero has no place on a logarithmic axis: it is drawn at the last bit.
 constexpr double kLeastError = 1e-17, kRounding = 1e-16;
 
 double drawn_error(const FlowCost& row) { return std::max(*row.compared.error, kLeastError); }
 
-// Rows that no other one beats in error and in time, by time.
+// Rows that no other row beats in both error and time, sorted by time.
 std::vector<const FlowCost*> front_of(const FlowCosts& costs) {
   std::vector<const FlowCost*> rows;
   for (const FlowCost& row : costs.rows)

@@ -11,7 +11,7 @@ namespace {
 // More dots than this overlap: they are drawn smaller, and the line over them thinner.
 constexpr Eigen::Index kManyDots = 80;
 
-// "force2" as an axis names it.
+// The name of "force2" on an axis.
 std::string series_title(const std::string& name) {
   static const std::map<std::string, std::string> kTitles = {
       {"restitution", "restitution r"},

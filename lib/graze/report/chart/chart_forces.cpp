@@ -13,7 +13,8 @@ namespace {
 constexpr std::size_t kMostPanels = 4;  // of one stop each
 constexpr double kRow = 0.9;            // of the distance between rows, of the largest force
 
-// Of one stop over time: a step a window, or the force itself, zero where the stop is open.
+// The force of one stop over time: a step for each window, or the force itself, zero where the stop
+// is open.
 struct ForceCurve {
   bool is_mean = false;
   std::vector<double> time, force;  // s, N
@@ -40,7 +41,7 @@ ForceCurve force_of(const MotionSeen& seen, std::size_t stop) {
   for (const SeenForce& of : seen.forces) {
     if (static_cast<std::size_t>(of.stop) != stop) continue;
     curve = {};
-    // Between contacts it lies at zero, from the end of one to the beginning of the next.
+    // It is zero between contacts, from the end of one to the beginning of the next.
     if (of.force.front().time > seen.window.start) add(curve, seen.window.start, 0.0);
     bool is_open = true;
     for (const DrawnPoint& point : of.force) {
@@ -72,7 +73,7 @@ std::vector<ForceCurve> curves_of(const SimulationRecord& record) {
   return curves;
 }
 
-// On `base`, times `scale`.
+// The curve times `scale`, above `base`.
 ChartSeries series_of(const ForceCurve& curve, double base = 0.0, double scale = 1.0) {
   ChartSeries series{"", {.colour = kBlue, .width = 1.0}, true, false, curve.time, curve.force};
   for (double& y : series.y) y = base + scale * y;
@@ -88,7 +89,7 @@ ChartPanel panel_of(const SimulationRecord& record, bool has_means) {
   return panel;
 }
 
-// All stops one above the other, from the first at the foot.
+// All stops above each other, the first at the bottom.
 ChartPanel rows_panel(const SimulationRecord& record, const std::vector<ForceCurve>& curves) {
   double largest = 0.0;
   for (const ForceCurve& curve : curves) largest = std::max(largest, curve.largest);

@@ -76,7 +76,7 @@ class OrbitRow {
   std::vector<ChartPanel> panels() const { return {motion_, portrait_}; }
 
  private:
-  // What was cut at the end of the orbit's last period begins anew at its start.
+  // A curve that was cut at the end of the orbit's last period continues at its start.
   void add_curves() {
     ChartSeries course{look_.title, look_, true, false, {}, {}};
     ChartSeries portrait = course;
@@ -102,7 +102,7 @@ class OrbitRow {
     portrait_.series.push_back(portrait);
   }
 
-  // The flight that ends at an impact is followed, across the jump of its velocity, by the next.
+  // The flight that ends at an impact is joined, across the jump of its velocity, with the next.
   void add_impacts() {
     if (orbit_.impacts.empty()) return;
     ChartSeries marks{"impact", {.colour = kVermillion, .mark = MarkShape::kDot, .size = 0.55},
@@ -126,7 +126,7 @@ class OrbitRow {
         jumps.y.push_back(velocity);
       }
     }
-    // Where a chatter completes there is no end to them, and crowds are no marks.
+    // A chatter that completes has infinitely many impacts: crowded marks are smaller.
     if (marks.x.size() > 40) marks.look.size = approaches.look.size = 0.3;
     motion_.series.push_back(marks);
     portrait_.series.push_back(jumps);
@@ -157,7 +157,7 @@ class OrbitRow {
   ChartPanel motion_, portrait_;
 };
 
-// Both axes of displacement are to show the stops, where they are not far off.
+// Makes both axes of displacement include the stops, if they are not far away.
 void set_ranges(Chart& chart, const std::vector<SeenStop>& stops) {
   AxisRange displacement, velocity;
   for (const std::vector<ChartPanel>& row : chart.rows)
@@ -170,7 +170,7 @@ void set_ranges(Chart& chart, const std::vector<SeenStop>& stops) {
     if (std::abs(stop.place) <= 3.0 * largest) displacement.include(stop.place);
   displacement.settle(0.08);
   velocity.settle(0.08);
-  // Orbits side by side are drawn in one scale.
+  // All orbits are drawn to one scale.
   for (std::vector<ChartPanel>& row : chart.rows) {
     row[0].y.range = row[1].x.range = displacement;
     row[1].y.range = velocity;

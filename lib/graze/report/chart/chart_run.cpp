@@ -54,14 +54,14 @@ class RunChart {
  private:
   bool no_stops() const { return record_.system.stops.empty(); }
   bool several_stops() const { return record_.system.stops.size() > 1; }
-  // Without a stop it is a modal coordinate, which is no length.
+  // Without a stop the coordinate is modal, which is no length.
   std::string length() const { return unit_in(units_, no_stops() ? "kg^1/2 m" : "m"); }
   std::string speed() const { return unit_in(units_, no_stops() ? "kg^1/2 m/s" : "m/s"); }
   // "stop", or "stop 2" where there are several.
   std::string name_of(const SeenStop& stop) const {
     return several_stops() ? fmt::format("stop {}", stop.index + 1) : "stop";
   }
-  // Of the first one at the place.
+  // The name of the first stop at the place.
   std::string stop_name(const SeenPlace& place) const { return name_of(place.stops.front()); }
   // As all that is shown of a place, in the few letters that a low panel is high; probes show u and
   // u'. The panels of a page are higher.
@@ -87,13 +87,13 @@ class RunChart {
                                    .colour = kVermillion,
                                    .mark = MarkShape::kDot,
                                    .size = 0.55});
-    // Marks shrink as they crowd.
+    // Marks shrink with their number.
     const auto count = static_cast<double>(std::max<std::size_t>(place.impacts.size(), 1));
     series.look.size = std::clamp(0.55 * std::sqrt(40.0 / count), 0.18, 0.55);
     return series;
   }
 
-  // What a portrait shows: the end of a long motion, whose beginning would only be drawn over.
+  // The part of a motion in its portrait: the end of a long one, which would cover the beginning.
   static std::span<const MotionPoint> portrayed(const SeenPlace& place) {
     return std::span(place.motion).last(std::min(place.motion.size(), kMostPortrayed));
   }
@@ -104,8 +104,8 @@ class RunChart {
     return range;
   }
 
-  // Stops near the motion, the space behind them shaded; one far off would press it flat, and is
-  // only named.
+  // Shows stops near the motion, with the space behind them shaded; one far away, which would
+  // flatten the motion, is only named.
   void add_stops(const SeenPlace& place, const AxisRange& motion, bool is_upright,
                  ChartPanel& panel) {
     AxisRange& range = (is_upright ? panel.y : panel.x).range;
@@ -235,7 +235,7 @@ class RunChart {
                                   .from_zero = true});
     panel.levels = {0.0};
     for (const EnergyTerm& term : seen_.energy) {
-      // The first, the energy, shows from below a term that coincides with it.
+      // The energy, drawn first, remains visible below a term that coincides with it.
       const bool is_first = &term == seen_.energy.data();
       panel.series.push_back(
           line_of(term.curve,
@@ -255,7 +255,7 @@ class RunChart {
     return fmt::format("{:.5g} {}", unit.factor * time, unit.unit);
   }
 
-  // Of the first two places.
+  // Portraits of the first two places.
   void add_portraits() {
     std::vector<ChartPanel> row;
     const std::size_t count = std::min<std::size_t>(seen_.places.size(), 2);
@@ -291,7 +291,7 @@ class RunChart {
     return panel;
   }
 
-  // Where the motion sticks it is a point of the portrait.
+  // Where the motion sticks the portrait has a point.
   static void add_rests(const SeenPlace& place, ChartPanel& panel) {
     std::vector<double> rests;
     for (const StuckPhase& phase : place.stuck) rests.push_back(phase.place);

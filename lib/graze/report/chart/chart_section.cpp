@@ -13,7 +13,7 @@ Chart section_chart(const SimulationRecord& record) {
   const RunSection& section = *record.section;
   const bool is_of_impacts = section.kind() == DiagramSection::kImpact;
   const std::size_t stops = record.system.stops.size();
-  // Stops at one place see the same points.
+  // Stops at one place have the same points.
   std::map<int, ChartSeries> seen;
   const auto add = [&](int stop) {
     const auto index = static_cast<std::size_t>(stop);
@@ -21,7 +21,7 @@ Chart section_chart(const SimulationRecord& record) {
     look.id = fmt::format("section{}", stop + 1);
     look.title.clear();
     look.colour = curve_colours()[index % curve_colours().size()];
-    // Dots shrink as they crowd.
+    // Dots shrink with their number.
     look.size *= crowded_dot_size(section.points().size(), 0.35);
     ChartSeries series = dots_of(look);
     seen.emplace(stop, std::move(series));
@@ -34,7 +34,7 @@ Chart section_chart(const SimulationRecord& record) {
     if (const auto at = seen.find(point.stop); at != seen.end())
       add_point(at->second, point.across, point.up);
   std::erase_if(seen, [](const auto& entry) { return entry.second.x.empty(); });
-  // What one of several stops sees is said to be its own.
+  // With several stops the axis says that the quantity is towards the stop concerned.
   const std::string towards =
       stops > 1 && seen.size() == 1 ? " towards stop 1" : " towards the stop";
   const Units units = record.info.units;

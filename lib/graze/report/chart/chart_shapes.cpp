@@ -26,7 +26,7 @@ ChartPanel beam_panel(const std::string& structure, const char* name, const char
   return panel;
 }
 
-// Where the stops stand, as short bars: "stop 1" at its place and gap.
+// Draws the stops as short bars: "stop 1" at its place and gap.
 void add_stops(const std::vector<BeamStop>& all, ChartPanel& panel) {
   ChartSeries stops{
       "stop",
@@ -52,7 +52,7 @@ std::string mode_title(std::size_t j, double frequency, Units units) {
              : fmt::format("mode {}: {:.4g}", j + 1, frequency);
 }
 
-// Over places, or over degrees of freedom in their order.
+// Draws the shapes over places, or over degrees of freedom in their order.
 void add_shapes(const std::vector<double>& x, const Matrix& rows, const Vector& omega, Units units,
                 bool is_line, ChartPanel& panel) {
   const auto modes = std::min(static_cast<std::size_t>(rows.cols()), kMostDrawnModes);
@@ -66,7 +66,7 @@ void add_shapes(const std::vector<double>& x, const Matrix& rows, const Vector& 
   }
 }
 
-// Nodes in the plane of their two largest extents.
+// The nodes in the plane of their two largest extents.
 struct NodePlane {
   std::size_t across = 0, up = 1;  // axes, 0 for x
   double size = 0.0;               // the larger extent, m

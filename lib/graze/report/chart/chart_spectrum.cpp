@@ -65,7 +65,7 @@ Chart spectrum_chart(const SimulationRecord& record) {
       panel.remark = "too few samples for a spectrum";
       panel.y.scale = AxisScale::kLinear;
     }
-    // Beyond twenty forcing frequencies a smooth motion has nothing, and impacts little.
+    // Beyond twenty forcing frequencies a smooth motion has no amplitude, and impacts have little.
     const auto forcing = record.system.forcing();
     const double most =
         forcing ? 20.0 * forcing->frequency / (2.0 * std::numbers::pi) : 0.25 * rate;
@@ -75,7 +75,7 @@ Chart spectrum_chart(const SimulationRecord& record) {
         {"", {.colour = kBlue, .width = 1.0}, true, false, spectrum.frequency, spectrum.amplitude});
     double largest = 0.0;
     for (const double amplitude : spectrum.amplitude) largest = std::max(largest, amplitude);
-    // Below, the spectrum is rounding and what leaks through the window.
+    // Below this the spectrum is rounding and leakage of the window.
     if (largest > 0.0) panel.y.range = {1e-6 * largest, 2.0 * largest};
     chart.rows.push_back({panel});
   }
@@ -90,7 +90,7 @@ Chart returns_chart(const SimulationRecord& record) {
                    {.name = "speed of\nthe next", .unit = of_speed}};
   ChartPanel phase{{.name = "phase", .unit = of_phase},
                    {.name = "phase of\nthe next", .unit = of_phase}};
-  // More dots than a vector picture should hold; the last ones.
+  // Only the last ones: a vector picture should not hold more dots.
   constexpr std::size_t kMost = 20'000;
   const std::vector<SectionPoint>& points = record.section->points();
   const std::size_t first = points.size() > kMost + 1 ? points.size() - kMost - 1 : 0;

@@ -1,4 +1,4 @@
-// Results as charts (chart.hpp): what their pictures and their pages draw.
+// Results as charts (chart.hpp), for pictures and pages.
 #pragma once
 
 #include "graze/base/vector.hpp"
@@ -13,29 +13,29 @@ namespace graze {
 // portrait.
 Chart chart_of(const OrbitRecord& record);
 
-// What was measured as dots, with the fitted model as a line, a panel each series; below each the
-// residuals, with bars of their uncertainties where they are known.
+// Measured values as dots, with the fitted model as a line, a panel for each series; below each the
+// residuals, with bars of their uncertainties if these are known.
 Chart chart_of(const FitRecord& record);
 
 // Error over computing time per forcing period, both logarithmic: a line for each flow with a mark
-// for each of its settings, the settings that no other beats in both, and the tolerance that the
-// scene allows; below, where a stop is compliant, the order of steps across a contact.
+// for each of its settings, the settings that no other beats in both, and the tolerance of the
+// scene; below, where a stop is compliant, the order of steps across a contact.
 Chart chart_of(const CostRecord& record);
 
-// Two motions over time at the first stop, displacement and velocity. Of a series of numbers of
+// Two motions over time at the first stop, displacement and velocity. For a series of numbers of
 // modes the sizes of the differences from one to the next.
 Chart chart_of(const ComparisonRecord& record);
 
 // s1 and s2 of the probes over the parameter, in per cent, a curve for each value of the other one.
 Chart chart_of(const SensitivityRecord& record);
 
-// Single runs over a parameter: the speed of every impact as a dot, a panel each stop; below, the
-// largest size that each probe saw.
+// Single runs over a parameter: the speed of every impact as a dot, a panel for each stop; below,
+// the largest size of each probe.
 Chart chart_of(const RunDiagramRecord& record);
 
-// Branches of orbits over their parameter: the speed of every impact, or what the record shows of
-// them, a curve each, parted by stability, with the special points. `multipliers`: the largest one
-// in a panel below.
+// Branches of orbits over their parameter: the speed of every impact, or the record's amplitude, a
+// curve each, divided by stability, with the special points. `multipliers`: the largest one in a
+// panel below.
 Chart chart_of(const BranchRecord& record, bool multipliers = false);
 // Every sample of the sweep as a dot: impact speeds, or displacements towards the stops, a panel
 // each, and exponents; over them the branches.
@@ -50,8 +50,8 @@ Chart explored_chart(const DiagramRecord& record);
 // stable, where the record has it, is a ground below.
 Chart chart_of(const LociRecord& record);
 
-// The plane of two numbers, a ground for each attractor, or a scale of colours for what is shown;
-// over it the loci.
+// The plane of two numbers, a ground for each attractor, or a scale of colours for the shown
+// quantity; with the loci over it.
 Chart chart_of(const MapRecord& record);
 // The same for a page: its cells are things, shown by what they settle on or by any of their
 // numbers.
@@ -70,14 +70,14 @@ Chart mode_shapes_chart(const Scene& scene, const Vector& omega);
 // The shapes of the beam at the record's instants, with its stops.
 Chart shapes_chart(const SimulationRecord& record);
 
-// The force of every stop over time, each a panel; of more than four stops rows in one panel, all
-// in one scale. On compliant stops the force itself, of the samples that the record holds; means
-// over windows where the stop is rigid, and of all stops where they were asked for.
+// The force of every stop over time, each in a panel; for more than four stops rows in one panel,
+// all to one scale. On compliant stops the force itself, of the samples in the record; means over
+// windows where the stop is rigid, and for all stops if they were requested.
 Chart forces_chart(const SimulationRecord& record);
-// Whether means were asked for.
+// Whether means were requested.
 bool shows_force_means(const SimulationRecord& record);
 
-// Amplitudes over the frequency at the places of the stops, of the samples that the record holds.
+// Amplitudes over the frequency at the places of the stops, from the samples in the record.
 Chart spectrum_chart(const SimulationRecord& record);
 
 // The recorded samples over time: displacement at every place that has stops (the first four), with
@@ -94,7 +94,7 @@ Chart explored_chart(const SimulationRecord& record);
 // once a forcing period; a colour for each stop.
 Chart section_chart(const SimulationRecord& record);
 
-// The speed and the phase of each impact of the record's section over those of the one before.
+// The speed and the phase of each impact of the record's section over those of the previous one.
 Chart returns_chart(const SimulationRecord& record);
 
 }  // namespace graze

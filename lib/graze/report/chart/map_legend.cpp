@@ -12,8 +12,8 @@
 namespace graze {
 namespace {
 
-// Attractors that repeat, by their cells. The first of a kind has the kind's ground; others of that
-// kind, and other kinds, have the next that is free; the rest are told of together.
+// Attractors that repeat, sorted by their cells. The first of a kind gets the kind's ground; others
+// of that kind, and other kinds, get the next free one; the rest share one entry.
 void add_attractors(const AttractorMap& map, MapLegend& legend) {
   constexpr std::size_t kRest = static_cast<std::size_t>(-1);
   std::size_t next = 0, rest = 0;

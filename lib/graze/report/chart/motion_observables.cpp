@@ -13,7 +13,7 @@ namespace graze {
 namespace {
 
 constexpr std::size_t kMostObservedPlaces = 4;  // with axes of their own
-// Next to grazing multipliers have no bound; the axis shows those that tell something.
+// Next to grazing multipliers have no bound; the axis ends at the largest informative one.
 constexpr double kLargestMultiplier = 4.0;
 
 // One height for each impact as `impact_curves` orders them, or for each point of a branch.
@@ -75,7 +75,7 @@ void add_impacts(const OrbitBranches& traced, Units units, Observables& list) {
 
 void add_stroboscopic(const DiagramRecord& record, Observables& list) {
   const std::size_t stops = record.branches.system.stops.size();
-  // Where a picture shows an amplitude, these are the curves of that.
+  // If a picture shows an amplitude, the curves are those of the amplitude.
   const bool has_curves = !record.branches.shown && !record.curves.empty();
   std::size_t shown = 0;
   for (const SeenPlace& place : places_of(record.branches.system)) {
@@ -112,7 +112,7 @@ bool has_any(const std::vector<DiagramCurve>& curves) {
   });
 }
 
-// The number of a picture first of them, which a picture without branches and dots has too.
+// The picture's amplitude is the first of them, also in a picture without branches and dots.
 void add_amplitudes(const BranchRecord& record, const Sweep* swept, Observables& list) {
   const std::vector<MeasuredPlace>& places = record.amplitudes.places;
   const auto is_shown = [&](const Shown& shown) {
@@ -189,7 +189,7 @@ std::vector<MotionObservable> motion_observables(const DiagramRecord& record) {
 }
 
 AxisRange exponent_range(const Sweep& swept) {
-  constexpr double kDeepest = 2.0;  // exponents shown below zero, by those above
+  constexpr double kDeepest = 2.0;  // exponents shown below zero, relative to those above
   AxisRange range;
   range.include(0.0);
   for (const SweepRow& row : swept.rows)

@@ -18,8 +18,8 @@ double force_at(const Sample& sample, int stop) {
   return i < sample.forces.size() ? sample.forces[i] : 0.0;
 }
 
-// Samples stop short of an end between two of them, where the last events may be. One sample does
-// not tell how far it is to the next.
+// Samples may end up to one spacing before the end of the run, and the last events may lie between.
+// A single sample has no known spacing.
 bool window_reaches_end(const SimulationRecord& record) {
   const std::vector<Sample>& samples = record.samples;
   if (samples.size() < 2) return true;
@@ -35,7 +35,7 @@ TimeSpan window_of(const SimulationRecord& record) {
           window_reaches_end(record) ? std::max(last, record.run.end_time) : last};
 }
 
-// The end of the run, where the samples stop just short of it.
+// The end of the run, if the samples end just before it.
 std::optional<Sample> end_sample(const SimulationRecord& record) {
   const std::vector<Sample>& samples = record.samples;
   const Simulation& run = record.run;
@@ -68,7 +68,7 @@ void gather_motion(const SamplesSeen& samples, const TimeSpan& window, SeenPlace
   };
   for (const Sample* sample : samples) {
     add_impacts_until(sample->time);
-    // A sample at the very time of an impact may stand on either side of the jump.
+    // A sample at the very time of an impact may be before or after the jump.
     if (next != place.impacts.begin() && std::prev(next)->time == sample->time) continue;
     place.motion.push_back(
         {sample->time, place.row.dot(sample->state.q), place.row.dot(sample->state.qdot)});
@@ -76,8 +76,8 @@ void gather_motion(const SamplesSeen& samples, const TimeSpan& window, SeenPlace
   add_impacts_until(window.end);
 }
 
-// Closed when the window begins: its force says so, or, where no samples are, that nothing was
-// heard of it before the end, at which it is closed.
+// Whether it is closed when the window begins: by its force, or, without samples, when it is closed
+// at the end and no event of it came before.
 bool begins_stuck(const SimulationRecord& record, int stop) {
   if (!record.samples.empty()) return force_at(record.samples.front(), stop) > 0.0;
   const std::vector<int>& stuck = record.run.stuck;
@@ -86,8 +86,8 @@ bool begins_stuck(const SimulationRecord& record, int stop) {
                       [&](const Event& event) { return event.stop == stop; });
 }
 
-// The end of a contact tells its largest force, which samples may miss with all of it: it then
-// stands at the largest that they saw, or, where they saw none, half way.
+// The end of a contact has its largest force, which samples may miss, or the whole contact: it is
+// drawn at their largest value, or, without samples, half way.
 void add_largest_force(const Event& end, DrawnCurve& curve) {
   const double begin = end.time - end.duration;
   auto largest = curve.end();
@@ -201,11 +201,11 @@ bool is_near(const SeenStop& stop, const AxisRange& motion) {
 std::vector<TimeSpan> stuck_phases(const SimulationRecord& record, int stop,
                                    const TimeSpan& window) {
   std::vector<TimeSpan> phases;
-  // What touches a spring moves on.
+  // A structure does not stick to a spring.
   if (record.system.stops[static_cast<std::size_t>(stop)].is_compliant()) return phases;
   bool closed = begins_stuck(record, stop);
-  // While open, the last that was heard of the stop: a release without a stick before it, as where
-  // it cuts the tail of a chatter short, ends a phase that began there.
+  // While open, the time of the stop's last event: a release without a stick before it, as where it
+  // cuts the tail of a chatter short, ends a phase that began there.
   double since = window.start;
   for (const Event& event : record.events) {
     if (event.stop != stop || event.time < window.start || event.time > window.end) continue;

@@ -9,8 +9,8 @@
 namespace graze {
 namespace {
 
-// As an axis names it. What has a direction counts along +u, as scenes do, whatever side the stops
-// are on; angles count along it too.
+// The name on an axis. Quantities with a direction count along +u, as in scenes, whatever side the
+// stops are on; angles likewise.
 std::string axis_name(ProbeQuantity quantity) {
   const std::string name = probe_quantity_name(quantity);
   if (quantity == ProbeQuantity::kDisplacement) return name + " u";

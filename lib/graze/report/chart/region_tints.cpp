@@ -17,8 +17,7 @@ namespace {
 
 enum Tint : int { kAsked, kDoubled, kClear, kAskedAndMore, kSeveral, kSticking, kRest, kTints };
 
-// The smallest place that a label takes, as parts of the axes: so much for each character and for
-// each line.
+// The smallest space for a label, relative to the axes: for each character and for each line.
 constexpr double kRegionCharacter = 0.018, kRegionLine = 0.055;
 constexpr std::size_t kMostLabels = 24;
 
@@ -59,7 +58,7 @@ std::vector<std::string> lines_of(const StableNames& stable, bool narrow) {
   return lines;
 }
 
-// How many cells of an area lie in any box that begins at the grid's corner.
+// Counts the cells of an area in any box that begins at the grid's corner.
 class CellSums {
  public:
   CellSums(const StableRegions& regions, int area)
@@ -73,7 +72,7 @@ class CellSums {
       }
   }
 
-  // Whether all the cells of a box belong to it.
+  // Whether all the cells of a box belong to the area.
   bool fills(int column, int row, int width, int height) {
     return at(column + width, row + height) - at(column, row + height) - at(column + width, row) +
                at(column, row) ==
@@ -88,7 +87,7 @@ class CellSums {
   std::vector<int> sums_;
 };
 
-// The middle of the widest room for a label within an area, in cells.
+// The middle of the widest space for a label within an area, in cells.
 struct Room {
   double column = 0.0, row = 0.0;
 };
@@ -105,7 +104,7 @@ std::optional<Room> room_for(const StableRegions& regions, int area,
   const auto inner_column = static_cast<double>(column_of_inner);
   const auto inner_row = static_cast<double>(row_of_inner);
   std::optional<Room> best;
-  // Ever more room around it; of several places that have it the one nearest to the innermost.
+  // Ever larger spaces; of several possible places the one nearest to the innermost cell.
   for (double part = 1.0; part < 16.0; part *= 1.2) {
     const int width = static_cast<int>(std::ceil(part * wide));
     const int height = static_cast<int>(std::ceil(part * high));
@@ -127,12 +126,12 @@ std::optional<Room> room_for(const StableRegions& regions, int area,
   return best;
 }
 
-// The motion that the loci are of, so many times its period and impacts: "(2,2)".
+// The name of the motion of the loci, with `times` its period and impacts: "(2,2)".
 std::string asked(const StableRegions& regions, int times) {
   return name_of({AttractorKind::kOrbit, times * regions.period, times * regions.impacts});
 }
 
-// The asked motion and its doubled one have their own ground in every picture.
+// The motion of the loci and its doubled one have their own ground in every picture.
 std::string colour_of(const StableRegions& regions, int tint) {
   const auto of_motion = [&](int times, std::size_t other) -> std::string {
     const Look* fixed = fixed_ground(asked(regions, times));
@@ -175,7 +174,7 @@ std::string title_of(const StableRegions& regions, int tint) {
   }
 }
 
-// The largest areas that have room for it.
+// Names the largest areas that have space for it.
 void name_areas(const StableRegions& regions, ChartPanel& panel) {
   const std::size_t count = std::min(regions.areas.size(), kMostLabels);
   for (std::size_t i = 0; i < count; ++i) {
@@ -242,7 +241,7 @@ MapLegend region_legend(const StableRegions& regions) {
 
 void add_tints(const StableRegions& regions, ChartPanel& panel) {
   const RegionPlace &first = regions.places.front(), &last = regions.places.back();
-  // Panels span what is asked for, of which a range may be given from its upper end.
+  // Panels have the requested range, which may be given from its upper end.
   const auto ends = [](const AxisRange& range, bool is_mirrored) {
     return is_mirrored ? std::array{range.high, range.low} : std::array{range.low, range.high};
   };

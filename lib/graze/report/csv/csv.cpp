@@ -20,7 +20,7 @@ namespace {
 
 std::string csv_cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
 
-// Of an event what a row of its table holds behind its kind.
+// The cells of an event's row after its kind.
 class EventNumbers : public ResultVisitor {
  public:
   explicit EventNumbers(double* row) : row_(row) { std::fill_n(row, kEventNumbers, NAN); }
@@ -35,7 +35,7 @@ class EventNumbers : public ResultVisitor {
       for (const ColumnBuilder& column : table.columns()) list.push_back(column.column().name);
       return list;
     }();
-    // In their order, with some left out.
+    // Names come in their order, with some left out.
     while (names[column_] != field.name) ++column_;
     if (column_ == 0) return;
     if (const auto* whole = std::get_if<long long>(&value))

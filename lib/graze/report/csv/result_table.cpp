@@ -46,7 +46,7 @@ struct CellWriter {
   }
 };
 
-// The column as one of codes, of which those of its rows so far, without a value, are -1.
+// The column as one of codes; its rows so far have no value, -1.
 template <class Coded>
 Coded& coded(ResultColumn& column, std::size_t rows) {
   if (!std::holds_alternative<Coded>(column.values)) {

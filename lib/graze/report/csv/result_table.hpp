@@ -14,21 +14,21 @@
 
 namespace graze {
 
-// Words that stand often, each by its place among those that there are; -1: none.
+// Repeated words, each by its index in the list of distinct ones; -1: none.
 struct WordColumn {
   std::vector<std::int32_t> codes;
   std::vector<std::string> words;
 };
 
-// What holds (1), does not (0), or is not known (-1).
+// True (1), false (0), or not known (-1).
 struct TruthColumn {
   std::vector<std::int8_t> codes;
 };
 
 struct ResultColumn {
   std::string name;
-  // Whole numbers, where all are and none is missing; numbers, NaN for those that are; words; or
-  // what is true or false.
+  // Whole numbers, if all are and none is missing; numbers, NaN for missing ones; words; or truth
+  // values.
   std::variant<std::vector<std::int64_t>, std::vector<double>, WordColumn, TruthColumn> values;
   std::string unit{};  // SI; empty of pure numbers, words and truths
 };
@@ -39,18 +39,18 @@ class ColumnBuilder {
   explicit ColumnBuilder(std::string name, std::string unit = {})
       : column_{std::move(name), std::vector<std::int64_t>(), std::move(unit)} {}
 
-  // Not finite: no value.
+  // A number that is not finite is no value.
   void add_number(double value);
   void add_whole(std::int64_t value);
-  // Empty: no value.
+  // An empty word is no value.
   void add_word(std::string_view word);
   void add_truth(std::optional<bool> holds);
-  // So many cells without a value.
+  // Adds `count` cells without a value.
   void skip(std::size_t count);
 
   std::size_t rows() const;
   const ResultColumn& column() const { return column_; }
-  // That of no rows is one of numbers. Empties this.
+  // Moves the column out; without rows it is one of numbers.
   ResultColumn take();
 
  private:
@@ -74,11 +74,11 @@ class ResultTable {
     (add_cell(cells), ...);
     return *this;
   }
-  // So many cells without a value.
+  // Adds `count` cells without a value.
   ResultTable& skip(std::size_t count);
 
   const std::vector<ColumnBuilder>& columns() const { return columns_; }
-  // Those of an empty table are columns of numbers. Empties this.
+  // Moves the columns out; those of an empty table are columns of numbers.
   std::vector<ResultColumn> take_columns();
 
   // As comma-separated text: a row of names, then every number with all its digits; words with

@@ -57,7 +57,7 @@ ResultTable TableBuilder::take() {
 
 bool TableBuilder::open(const Field& field, Shape shape) {
   if (field.use == Field::Use::kDocument || shape == Shape::kValues) return false;
-  // In a row are parts, and elements that have columns each; other lists have rows or none.
+  // A row contains parts, and elements with columns of their own; other lists have rows or none.
   if (is_in_row() && (shape == Shape::kList || shape == Shape::kColumns)) return false;
   if (!is_in_row() && !names_columns_ && shape != Shape::kElement && !leads_.contains(field.name))
     return false;
@@ -82,7 +82,7 @@ void TableBuilder::close() {
 
 bool TableBuilder::repeats(const Field& field) const { return has_word(field.tables, table_); }
 
-// Fields come in the order of the columns, but for those that an element does not have.
+// Fields come in the order of the columns, except those that an element does not have.
 std::size_t TableBuilder::column_of(std::string_view name, std::string_view unit) {
   const auto is_it = [&](const Column& column) {
     return column.name == name && column.prefix == prefix_;

@@ -36,7 +36,7 @@ bool DocumentWriter::open(const Field& field, Shape shape) {
 void DocumentWriter::close() {
   Level done = std::move(levels_.back());
   levels_.pop_back();
-  // The fields of an element of columns go into the lists of these.
+  // The fields of an element of columns are added to their lists.
   if (done.shape == Shape::kElement && levels_.back().shape == Shape::kColumns) {
     Json& lists = levels_.back().json;
     for (auto& [name, value] : done.json.items()) {

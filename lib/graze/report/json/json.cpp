@@ -42,7 +42,7 @@ void add_event_json(const Event& event, Spool& events) {
 
 Document to_json(const SimulationRecord& record, Spool& events) {
   const std::string whole = described_document(record);
-  // Quotes inside strings are escaped, so this is found once, where it stands.
+  // Quotes inside strings are escaped, so this text occurs only once.
   const std::string opening = "\n \"events\": [";
   const std::size_t at = whole.find(opening + "]") + opening.size();
   return {whole.substr(0, at), events, (events.empty() ? "" : "\n ") + whole.substr(at)};

@@ -1,5 +1,5 @@
-// The result documents: one JSON object a command, numbers with all their digits, null for what
-// does not exist. They hold what is described (result_visitor.hpp), and the units of it.
+// The result documents: one JSON object for each command, numbers with all their digits, null for
+// missing values. They hold the described fields (result_visitor.hpp) and their units.
 #pragma once
 
 #include <concepts>
@@ -13,7 +13,7 @@ namespace graze {
 
 template <class Record>
 requires(!std::same_as<Record, SimulationRecord>) std::string to_json(const Record& record);
-// The events of a run, each as `add_event_json` wrote it, stand in the middle of its document.
+// The events of a run, written by `add_event_json`, are in the middle of its document.
 Document to_json(const SimulationRecord& record, Spool& events);
 void add_event_json(const Event& event, Spool& events);
 

@@ -7,7 +7,7 @@
 namespace graze {
 namespace {
 
-// Leaves no unit in a document, wherever it names one.
+// Empties every unit in a document.
 void remove_units(Json& json) {
   if (json.is_object()) {
     json.erase("units");

@@ -43,7 +43,7 @@ struct PlaceSeries {
   }
 };
 
-// In what unit numbers of that size are shown, as on the axis of a picture.
+// The unit in which numbers of that size are shown, as on the axis of a picture.
 template <class Numbers>
 Json unit_json(Units units, const std::string& si_unit, const Numbers& numbers) {
   double largest = 0.0;
@@ -145,8 +145,8 @@ std::vector<std::string> start_settings(const PageMotion& motion) {
   return settings;
 }
 
-// A motion with all of its impacts, and of those in the record none closer to the one before than
-// the page's samples are: nobody sees them, and a chatter has thousands.
+// A motion with all of its impacts; the record has none closer to the previous one than the page's
+// samples are: these would be invisible, and a chatter has thousands.
 struct Followed {
   SimulationRecord record;
   std::vector<Event> impacts;
@@ -196,7 +196,8 @@ Json motion_json(const PageSource& source, const System& system, const PageMotio
       if (place.stops.front().index != shown.stops.front().index) continue;
       PlaceSeries series;
       for (const MotionPoint& point : place.motion)
-        // A point at which the velocity jumps belongs to both sides; the sides are there as well.
+        // A point at which the velocity jumps belongs to both sides, which have points of their
+        // own.
         if (std::isfinite(point.velocity))
           series.add(point.time / period, point.displacement, point.velocity);
         else

@@ -9,12 +9,12 @@
 namespace graze {
 namespace {
 
-// The values that the axis has to show. A logarithmic one shows all that is above zero.
+// The values that the axis has to show. A logarithmic one shows all values above zero.
 AxisRequest request_of(const ChartAxis& axis, const std::vector<double>& values,
                        const AxisRequest& asked) {
   AxisRequest request = asked;
   if (axis.scale != AxisScale::kLinear) request.scale = axis.scale;
-  // The range of an axis is that of its own scale.
+  // The given range of an axis is for its own scale.
   if (!axis.range.empty() && request.scale == axis.scale) {
     if (!request.low) request.low = axis.range.low;
     if (!request.high) request.high = axis.range.high;
@@ -33,7 +33,7 @@ AxisRequest request_of(const ChartAxis& axis, const std::vector<double>& values,
   return request;
 }
 
-// What a panel's series have along an axis, no farther than that reaches where its range is given.
+// Adds the values of a panel's series along an axis, within its range if that is given.
 void add_values(const ChartPanel& panel, bool upright, std::vector<double>& values) {
   const AxisRange& range = (upright ? panel.y : panel.x).range;
   const auto add = [&](double value) {
@@ -51,7 +51,7 @@ void add_values(const ChartPanel& panel, bool upright, std::vector<double>& valu
   if (!upright && !range.empty()) values.insert(values.end(), {range.low, range.high});
 }
 
-// The ends of an axis whose range says all.
+// Whether the range of the axis is known without data.
 bool is_settled(const ChartAxis& axis, const AxisRequest& asked) {
   return !axis.range.empty() && (asked.scale == axis.scale || axis.scale != AxisScale::kLinear);
 }

@@ -14,8 +14,8 @@
 namespace graze {
 namespace {
 
-// Of shapes in a file: 1 MB. An image of more cells has most of them smaller than a hundredth of
-// the panel.
+// Number of shapes in a file of 1 MB. With more cells, drawn as an image, most are smaller than a
+// hundredth of the panel.
 constexpr std::size_t kMostShapes = 10'000;
 constexpr double kLegendDot = 0.35;  // of gnuplot's points
 constexpr double kSeam = 1.4;        // white beside curves that run over cells, points of width
@@ -30,8 +30,8 @@ bool rises(const std::vector<double>& values) {
   return true;
 }
 
-// Past so many points a curve is drawn as the band between its extremes, one pair of them to every
-// hair's breadth of the picture.
+// With more points than this a curve is drawn as the band between its extremes, one pair of them
+// for every hair's breadth of the picture.
 constexpr std::size_t kMostPoints = 12'000, kBands = 3'000;
 
 PlotTable band_of(const ChartSeries& series, const ShownAxis& x, const ShownAxis& y) {
@@ -68,7 +68,7 @@ PlotTable table_of(const ChartSeries& series, const ShownAxis& x, const ShownAxi
   return table;
 }
 
-// By its look where that has a name of its own in the panel.
+// Named by its look if that has a name of its own in the panel.
 std::string name_of(const PanelAxes& axes, std::size_t series) {
   const std::vector<ChartSeries>& all = axes.panel->series;
   std::string name = all[series].look.id;
@@ -88,7 +88,7 @@ Rgb rgb_of(const std::string& hex) {
           static_cast<double>(code & 255)};
 }
 
-// Of a number on the bar; the ends' beyond them.
+// The colour of a number on the bar; beyond its ends that of the end.
 Rgb rgb_on(const ChartCells& cells, double number) {
   const AxisRange& range = cells.bar.range;
   const double place = std::clamp((number - range.low) / range.span(), 0.0, 1.0) *
@@ -100,7 +100,7 @@ Rgb rgb_on(const ChartCells& cells, double number) {
           a.blue + part * (b.blue - a.blue)};
 }
 
-// Equal cells side by side are one box, and equal boxes one above the other.
+// Equal adjacent cells of a row are one box, and equal boxes above each other, too.
 struct CellBox {
   std::size_t first = 0, last = 0, row = 0, end = 0;  // columns, rows; the end is the row behind
   int ground = 0;
@@ -131,13 +131,14 @@ std::vector<CellBox> boxes_of(const ChartCells& cells) {
   return list;
 }
 
-// Where the first `of` of so many columns or rows end, half of one for each .5, on its axis.
+// The end of the first `of` columns or rows on the axis; .5 is half a cell.
 double edge(const ShownAxis& axis, const std::array<double, 2>& ends, double of,
             std::size_t count) {
   return axis.of(ends[0] + (ends[1] - ends[0]) * of / static_cast<double>(count));
 }
 
-// The outline, of the same colour, covers the hair of white that smoothed edges leave between two.
+// An outline of the same colour covers the thin white gap that smoothed edges leave between two
+// boxes.
 std::vector<std::string> box_layers(const PanelAxes& axes, const std::vector<CellBox>& boxes,
                                     GnuplotScript& script) {
   const ChartCells& cells = *axes.panel->cells;
@@ -162,7 +163,7 @@ std::vector<std::string> box_layers(const PanelAxes& axes, const std::vector<Cel
   return layers;
 }
 
-// The bar beside the axes comes with a layer that has a palette: two dots without a size.
+// The bar beside the axes needs a layer with a palette: two dots without a size.
 std::string bar_layer(const PanelAxes& axes, GnuplotScript& script) {
   const ChartCells& cells = *axes.panel->cells;
   const AxisRange& si = cells.bar.range;
@@ -183,7 +184,7 @@ std::string bar_layer(const PanelAxes& axes, GnuplotScript& script) {
   return "$" + axes.prefix + "ends using 1:2:3 with points pt 7 ps 0 lc palette notitle";
 }
 
-// Browsers smooth an image, which mixes the colours of large cells to those of others.
+// Browsers smooth an image, which would mix the colours of large cells.
 std::string image_layer(const PanelAxes& axes, bool is_svg, GnuplotScript& script) {
   const ChartCells& cells = *axes.panel->cells;
   PlotTable table;

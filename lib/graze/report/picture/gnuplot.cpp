@@ -68,13 +68,13 @@ int spawn_gnuplot(const NamelessFile& in, const NamelessFile& out, const Nameles
   posix_spawn_file_actions_adddup2(&actions, in.descriptor(), STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, out.descriptor(), STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, messages.descriptor(), STDERR_FILENO);
-  // A group of its own: an interrupt from the terminal ends the computing, not the picture of what
-  // was computed.
+  // A process group of its own: an interrupt from the terminal ends the computation, but not the
+  // picture of its results.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   posix_spawnattr_setpgroup(&attributes, 0);
-  // Whatever the user's own gnuplot settings say, the picture stays the same.
+  // Keeps the picture independent of the user's own gnuplot settings.
   std::string program = "gnuplot", option = "--default-settings";
   char* arguments[] = {program.data(), option.data(), nullptr};
   const int error =
@@ -84,7 +84,7 @@ int spawn_gnuplot(const NamelessFile& in, const NamelessFile& out, const Nameles
   return error;
 }
 
-// The last line of gnuplot's messages that says something.
+// The last line of gnuplot's messages with a text.
 std::string complaint(const std::string& messages) {
   const std::size_t end = messages.find_last_not_of(" \t\r\n");
   if (end == std::string::npos) return "it gave no reason";
@@ -123,7 +123,7 @@ std::string drawn(const std::string& file, const std::string& script) {
   return picture;
 }
 
-// The lines before a script: all that depends on the file, on its size and on its head.
+// The lines before a script: all that depends on the file, on its size and on its caption.
 std::string head_of(const PictureRequest& request, const RunInfo& info, const Canvas& canvas) {
   constexpr double kWidth = 12.0;  // cm, of which lengths across are parts
   std::string caption;
@@ -162,14 +162,14 @@ void GnuplotScript::command(const std::string& line) { text_ += line + "\n"; }
 
 void GnuplotScript::data(const std::string& name, const PlotTable& table) {
   if (table.empty() || !known_.insert(name).second) return;
-  // Two blank lines part data sets; one is known by the comment above it.
+  // Two blank lines separate data sets, which are named by the comment above them.
   data_ += (data_.empty() ? "# [" : "\n\n# [") + name + "]\n" + table.text();
 }
 
 void GnuplotScript::plot(const std::vector<std::string>& layers) {
   const bool first = !has_caption_;
   has_caption_ = true;
-  // A tag of its own, so that it goes before the next panel.
+  // It has a tag of its own, to be removed before the next panel.
   if (first)
     text_ += "set label 99 caption at screen 0.02, screen 1 offset 0, -0.8 left font small\n";
   text_ += "plot ";
@@ -191,7 +191,7 @@ std::string gnuplot_string(const std::string& text) {
   std::string quoted = "'";
   for (char c : text) {
     if (c == '\'') quoted += '\'';
-    // Single quotes, in which gnuplot takes a backslash as it is, end with the line.
+    // Single quotes, in which gnuplot keeps backslashes, end with the line.
     if (c == '\n')
       quoted += "'.\"\\n\".'";
     else
@@ -206,7 +206,7 @@ std::string plain_gnuplot_string(const std::string& text) {
 
 namespace {
 
-// A file of our own that goes when its picture is drawn.
+// A temporary file that is removed when its picture is drawn.
 class ScratchFile {
  public:
   ScratchFile() : path_((std::filesystem::temp_directory_path() / "graze.XXXXXX").string()) {
@@ -233,27 +233,27 @@ std::string pixel_terminal(const PixelLayer& layer) {
 
 std::string data_line(const std::string& file) { return "data = " + gnuplot_string(file) + "\n"; }
 
-// What is kept beside a picture, and the picture.
+// A picture and the files kept beside it.
 struct Drawing {
   std::string picture;
-  std::string script;  // all but the comment that it begins with
+  std::string script;  // without its first comment
   std::string data;
 };
 
 void write(const std::string& file, const Drawing& drawing) {
   const std::filesystem::path path(file);
-  // What begins with a minus or a tilde would be an option or a home.
+  // A leading minus or tilde would mean an option or a home.
   const std::string script_name = path.stem().string() + ".gp";
   const bool special = script_name.front() == '-' || script_name.front() == '~';
   const std::string comment = fmt::format("# Draws {}: gnuplot {}\n", path.filename().string(),
                                           shell_word((special ? "./" : "") + script_name));
   write_file(path, drawing.picture);
   write_file(std::filesystem::path(path).replace_extension(".gp"), comment + drawing.script);
-  // No name that a user's measurements would have.
+  // A name that a user's measurements would not have.
   write_file(std::filesystem::path(path).replace_extension(".gp.dat"), drawing.data);
 }
 
-// As gnuplot takes it, from the folder that it is in.
+// The file as gnuplot finds it, from its own folder.
 std::string beside(const std::string& file, const char* extension) {
   const std::string name =
       std::filesystem::path(file).replace_extension(extension).filename().string();

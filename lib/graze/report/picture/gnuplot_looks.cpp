@@ -8,7 +8,7 @@
 namespace graze {
 namespace {
 
-// Of the shape: filled, and as an outline.
+// The point types of a shape: filled, and as an outline.
 struct PointTypes {
   int filled, outline;
 };

@@ -17,7 +17,7 @@ namespace {
 constexpr double kCell = 0.05;
 constexpr double kCharacter = 0.17, kLine = 0.3;  // of a label's letters
 constexpr double kMark = 0.16;                    // half of a mark's width, with its outline
-// How far from its place a label may stand, nearest first.
+// Distances of a label from its place, nearest first.
 constexpr std::array kAway = {0.06, 0.22, 0.45, 0.8, 1.3};
 constexpr double kLeader = 0.3;  // farther labels have a line to their place
 constexpr unsigned char kOnDot = 1, kOnLine = 253, kOnMark = 254, kOnLabel = 255;
@@ -53,7 +53,7 @@ void LabelRoom::fill(const Box& box, unsigned char with) {
 void LabelRoom::add_line(double x0, double y0, double x1, double y1) {
   double ax = cm_x(x0), ay = cm_y(y0), bx = cm_x(x1), by = cm_y(y1);
   if (!std::isfinite(ax + ay + bx + by)) return;
-  // Only what runs near the panel: next to a grazing a line may have no bound.
+  // Only lines near the panel: next to a grazing a line may have no bound.
   if (std::max(ax, bx) < 0.0 || std::min(ax, bx) > width_ || std::max(ay, by) < 0.0 ||
       std::min(ay, by) > height_)
     return;
@@ -98,8 +98,8 @@ void LabelRoom::write_over(GnuplotScript& script, const std::string& text, doubl
                     gnuplot_string(lines[k]), x, y, 0.5 * (count - 1.0) - static_cast<double>(k)));
 }
 
-// Nothing where the box covers a mark or a label, is crossed by a line, or reaches out of the
-// panel.
+// Returns nullopt when the box covers a mark or a label, is crossed by a line, or reaches out of
+// the panel.
 std::optional<double> LabelRoom::cost_of(const Box& box) const {
   if (box.left < 0.0 || box.right > width_ || box.low < 0.0 || box.high > height_) return {};
   double cost = 0.0;
@@ -123,11 +123,11 @@ std::optional<LabelRoom::Found> LabelRoom::best_near(const std::string& text, do
   std::optional<Found> best;
   for (const double away : kAway) {
     if ((on_curve || is_crowded_) && away > kLeader) break;
-    // From the upper right round, as a reader looks for a label.
+    // Clockwise from the upper right, where a reader expects a label.
     for (int k = 0; k < 16; ++k) {
       const double angle = std::numbers::pi * (0.25 + k / 8.0);
       const double c = std::cos(angle), s = std::sin(angle);
-      // So far out that the box just leaves a circle about the place.
+      // Far enough for the box to leave a circle about the place.
       const double reach = clear + away;
       const double box_x = at_x + reach * c + half_width * std::clamp(1.5 * c, -1.0, 1.0);
       const double box_y = at_y + reach * s + half_height * std::clamp(1.5 * s, -1.0, 1.0);
@@ -135,7 +135,7 @@ std::optional<LabelRoom::Found> LabelRoom::best_near(const std::string& text, do
                     box_y + half_height};
       const std::optional<double> cost = cost_of(box);
       if (!cost || (away > kLeader && meets_label(leader_to(box, at_x, at_y)))) continue;
-      // A label over ten cells of lines may as well stand a millimetre away.
+      // A label over ten cells of lines costs as much as one a millimetre away.
       const double all = *cost + 100.0 * away + 0.1 * k;
       if (!best || all < best->cost) best = {{box, all, at_x, at_y, away}};
     }
@@ -180,7 +180,7 @@ void LabelRoom::put(GnuplotScript& script, const std::string& text, const Found&
   script.command(fmt::format("set label {} at graph {:.5f}, graph {:.5f} center front font small{}",
                              gnuplot_string(text), x / width_, y / height_,
                              is_on_ground_ ? " boxed" : ""));
-  // A letter's room to the next label beside it.
+  // Keeps the width of a letter free beside the label.
   fill({box.left - kCharacter, box.right + kCharacter, box.low, box.high}, kOnLabel);
 }
 

@@ -28,8 +28,8 @@ constexpr double kHeading = 0.42;                // a line above a panel
 constexpr double kLegendLine = 0.37;             // of a legend at the foot
 constexpr double kEdge = 0.02;                   // beside it, part of the sheet
 constexpr double kMarkSpacing = 1.25;            // of its lines, relative, where they have marks
-// Of a legend's entry, letters: longer ones have a line each; where all are short and many there
-// are three in a line.
+// Letters of a legend's entry: longer entries have a line each; many short ones are three in a
+// line.
 constexpr std::size_t kLong = 27, kShort = 14, kMany = 4;
 constexpr double kDot = 0.16;  // of gnuplot's points, of one that is seen among a million
 constexpr int kPixels = 2000;  // of dots, across a picture of 12 cm
@@ -67,7 +67,7 @@ class ChartPicture {
     return script_;
   }
 
-  // The dots alone, the insides of the axes one above the other over the whole of a canvas.
+  // The dots alone: the insides of the axes above each other over a whole canvas.
   PixelLayer dots() const {
     PixelLayer layer;
     layer.width = band_width_;
@@ -91,14 +91,14 @@ class ChartPicture {
   }
 
  private:
-  // A panel's part of the canvas of dots, pixels from its foot.
+  // A panel's part of the canvas of dots, pixels from the bottom.
   struct Band {
     const PanelAxes* axes;
     int width, height, below;
   };
 
   void gather_legend() {
-    // By their place in the chart's own order, then as they come.
+    // Sorted by their place in the chart's own order, then in order of appearance.
     std::map<std::pair<std::size_t, std::size_t>, std::string> entries;
     std::set<std::string> known;
     std::size_t longest = 0;
@@ -146,7 +146,7 @@ class ChartPicture {
                        [](const ChartPanel& panel) { return !panel.heading.empty(); });
   }
 
-  // Of one panel of a row, from the left.
+  // Horizontal position of a panel in its row.
   struct Across {
     double left, width, beside;
   };
@@ -158,7 +158,7 @@ class ChartPicture {
     return {kLeft + static_cast<double>(i) * (width + beside), width, beside};
   }
 
-  // In two lines where it would run into the name beside it.
+  // In two lines where it would overlap the name beside it.
   std::string horizontal_name(std::size_t row, std::size_t i) const {
     const ChartAxis& axis = chart_.rows[row][i].x;
     if (chart_.rows[row].size() == 1) return axis.name;
@@ -167,14 +167,14 @@ class ChartPicture {
                         letters_within(place.width + std::min(place.beside, kBeside), axis.unit));
   }
 
-  // Tics and names below a row.
+  // Height of tics and names below a row.
   double axis_text(std::size_t row) const {
     for (std::size_t i = 0; i < chart_.rows[row].size(); ++i)
       if (horizontal_name(row, i).find('\n') != std::string::npos) return kAxisText + kNameLine;
     return kAxisText;
   }
 
-  // From the foot of the panels above to the head of these.
+  // Distance from the bottom of the panels above to the top of these.
   double above(std::size_t row) const {
     const double heading = has_heading(row) ? kHeading : 0.0;
     if (row == 0)
@@ -199,14 +199,14 @@ class ChartPicture {
     total_ = text + stretch_ * axes;
   }
 
-  // That a name may have beside its unit along so many centimetres.
+  // Number of letters that a name may have beside its unit along this length, cm.
   static std::size_t letters_within(double length, const std::string& unit) {
     const auto letters = static_cast<std::size_t>(length / kLetter);
     return letters - std::min(letters, unit.empty() ? 0 : unit.size() + 3);
   }
 
-  // Where the dots of every panel are, if they are drawn as pixels. A picture in which each was a
-  // shape would be megabytes large; but pixels are evenly spaced, which a logarithmic axis is not.
+  // Finds the dots of every panel, if they are drawn as pixels. A picture with a shape for each
+  // would be megabytes large; but pixels are evenly spaced, which does not suit a logarithmic axis.
   void lay_out_dots() {
     const bool fit = std::none_of(axes_.begin(), axes_.end(), [](const PanelAxes& axes) {
       return axes.has_dots() && (axes.x.is_log() || axes.y.is_log());
@@ -323,8 +323,8 @@ class ChartPicture {
           fmt::format("set label {} at graph 0.5, graph 0.5 center", gnuplot_string(panel.remark)));
   }
 
-  // In axes of its own, invisible and as wide as the picture: gnuplot makes no legend wider than
-  // its axes. It takes letters to be narrower than they are, so three more belong to every title.
+  // In invisible axes of its own as wide as the picture: gnuplot makes no legend wider than its
+  // axes. It underestimates the width of letters, so every title gets three more.
   void draw_legend() {
     if (legend_.empty()) return;
     script_.command(

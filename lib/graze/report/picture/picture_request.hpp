@@ -1,4 +1,4 @@
-// What is asked of a picture besides what it shows.
+// Options of a picture besides its contents.
 #pragma once
 
 #include <optional>
@@ -9,32 +9,32 @@
 
 namespace graze {
 
-// An axis as its reader wants it; what is not given follows from what is drawn.
+// A requested axis; what is not given follows from the data.
 struct AxisRequest {
   std::optional<double> low, high;  // SI
   AxisScale scale = AxisScale::kLinear;
 };
 
-// Which words stand beside the curves: the ids of special points, and the (p, k) of orbits too.
+// The labels beside the curves: the ids of special points, and also the (p, k) of orbits.
 enum class LabelChoice { kNone, kSpecial, kAll };
 
 // For the column of a paper, or for a wall: heavier lines and marks on a larger sheet.
 enum class PictureStyle { kPaper, kSlide };
 
-// Millimetres; the height follows from what is drawn where it is not given.
+// Millimetres; without a given height it follows from the contents.
 struct PictureSize {
   double width = 120.0;
   std::optional<double> height{};
 };
 
-// Of all words; the names of axes are `points` large, what is beside curves and at tics 8/11 of it.
+// For all texts; the names of axes are `points` large, labels and numbers at tics 8/11 of it.
 struct PictureFont {
   std::string family = "DejaVu Sans";
   std::optional<double> points{};  // none: by the width, 8 of 120 mm
 };
 
 struct PictureRequest {
-  // A name alone asks for nothing else.
+  // Only a file name, without other requests.
   PictureRequest(std::string name)
       : file(std::move(name)) {}                    // NOLINT(google-explicit-constructor)
   PictureRequest(const char* name) : file(name) {}  // NOLINT(google-explicit-constructor)
@@ -43,7 +43,7 @@ struct PictureRequest {
   bool empty() const { return file.empty(); }  // no picture is asked for
 
   std::string file;                  // .svg, .png or .pdf
-  std::optional<std::string> title;  // the line at the head, or "none"; else scene and settings
+  std::optional<std::string> title;  // the line at the top, or "none"; else scene and settings
   LabelChoice labels = LabelChoice::kAll;
   PictureStyle style = PictureStyle::kPaper;
   bool multipliers = false;  // of branches, in a panel of their own

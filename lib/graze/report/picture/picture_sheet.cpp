@@ -10,23 +10,23 @@
 namespace graze {
 namespace {
 
-// Within quotes and before a comma.
+// The name of a font without characters that gnuplot would interpret.
 std::string plain_font(std::string family) {
   std::erase_if(family, [](char c) { return c == '\'' || c == ',' || c == '\n'; });
   return family;
 }
 
-// A layout is made for text of 8 points on a width of 12 cm, which is still read in a column of
+// A layout is made for text of 8 points on a width of 12 cm, which is still legible in a column of
 // 8 cm.
 constexpr double kWidth = 12.0, kPoints = 8.0;
 
-// Of the sheet, cm.
+// Width of the sheet, cm.
 double sheet_width(const PictureRequest& request) {
   if (request.size) return 0.1 * request.size->width;
   return request.style == PictureStyle::kSlide ? 2.0 * kWidth : kWidth;
 }
 
-// For each line of the title at the head, cm.
+// Height of each line of the title at the top, cm.
 constexpr double kTitleRoom = 0.384, kTitleMargin = 0.156;
 constexpr double kTitleLength = 76.0;  // characters that fit there, on a width of 12 cm
 
@@ -35,7 +35,7 @@ std::size_t characters_in(const std::string& text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-// No longer than the head of a picture; the rest is in the result.
+// Cut to the length of a picture's title; the whole text is in the result.
 std::string shortened(const std::string& text, std::size_t most) {
   if (characters_in(text) <= most) return text;
   std::string kept;
@@ -50,7 +50,7 @@ std::string shortened(const std::string& text, std::size_t most) {
 }  // namespace
 
 std::size_t Canvas::columns(std::size_t columns) const {
-  // A quarter of a column less is still read.
+  // Text reduced to three quarters of a column is still legible.
   return std::max<std::size_t>(
       1, static_cast<std::size_t>(static_cast<double>(columns) * width / kWidth + 0.25));
 }
@@ -106,7 +106,7 @@ std::string terminal_of(const PictureRequest& request, const Canvas& canvas) {
 
 namespace {
 
-// cm, at the head.
+// Height of the caption at the top, cm.
 double caption_height(const PictureRequest& request, const RunInfo& info, double width) {
   const std::vector<std::string> lines = caption_of(request, info, width);
   return lines.empty() ? 0.0 : kTitleMargin + kTitleRoom * static_cast<double>(lines.size());
@@ -115,7 +115,7 @@ double caption_height(const PictureRequest& request, const RunInfo& info, double
 }  // namespace
 
 Canvas canvas_of(const PictureRequest& request, const RunInfo& info, double natural) {
-  // Whatever the title takes, something is left for the picture.
+  // A title always leaves some height to the picture.
   constexpr double kLeast = 1.0;
   const bool has_height = request.size && request.size->height;
   const double sheet = has_height ? 0.1 * *request.size->height : 0.0;
@@ -124,7 +124,7 @@ Canvas canvas_of(const PictureRequest& request, const RunInfo& info, double natu
     canvas.scale = *request.font.points / kPoints;
   } else {
     canvas.scale = sheet_width(request) / kWidth;
-    // Words that would not have their room are smaller.
+    // Text that would not fit is smaller.
     if (has_height)
       canvas.scale =
           std::min(canvas.scale, sheet / (natural + caption_height(request, info, kWidth)));

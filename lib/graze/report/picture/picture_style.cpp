@@ -41,7 +41,7 @@ void set_margins(GnuplotScript& script, const Margins& margins) {
 
 void name_vertical_axis(GnuplotScript& script, const std::string& name, const std::string& unit,
                         double place) {
-  // Lines far enough apart for a subscript above an exponent, which gnuplot's own are not.
+  // Lines far enough apart for a subscript above an exponent, unlike gnuplot's own.
   constexpr double kLine = 0.039;
   const std::string text = unit.empty() ? name : name + " (" + unit_markup(unit) + ")";
   for (std::size_t start = 0; start < text.size(); place += kLine) {
@@ -68,7 +68,7 @@ std::string in_two_lines(std::string name, std::size_t most) {
 }
 
 int tics_within(double length, int most) {
-  constexpr double kTic = 0.55;  // cm, of a number's height with what keeps it apart
+  constexpr double kTic = 0.55;  // cm, height of a number with its spacing
   return std::clamp(static_cast<int>(length / kTic), 2, most);
 }
 
@@ -76,7 +76,7 @@ namespace {
 
 bool has_power_tics(const AxisRange& range) { return range.high / range.low >= 100.0; }
 
-// Tics of a logarithmic axis: powers of ten named so where there are several, else 1, 2 and 5 times
+// Tics of a logarithmic axis: labelled powers of ten if there are several, else 1, 2 and 5 times
 // them.
 std::string log_tics(const AxisRange& range, const std::string& axis) {
   if (has_power_tics(range))
@@ -113,7 +113,7 @@ void set_parameter_axis(GnuplotScript& script, const std::string& parameter, con
 ShownAxis::ShownAxis(const AxisRequest& request, const std::string& si_unit,
                      const std::vector<double>& values, double margin, bool from_zero)
     : scale_(request.scale) {
-  // Six decades are what an eye compares; smaller values lie at the low end.
+  // Six decades are enough for comparison by eye; smaller values are drawn at the low end.
   constexpr double kSmallest = 1e-6;
   AxisRange shown;
   for (const double value : values) {
@@ -134,13 +134,13 @@ ShownAxis::ShownAxis(const AxisRequest& request, const std::string& si_unit,
   if (!(shown.high > 0.0)) shown.high = 1.0;
   if (!request.low) shown.low = std::max(shown.low, kSmallest * shown.high);
   if (!(shown.low > 0.0 && shown.low < shown.high)) shown.low = 0.1 * shown.high;
-  // What is smaller lies at the foot of what is shown, with room for its mark.
+  // Smaller values are drawn at the bottom, with space for their mark.
   least_ = request.low ? 0.0 : shown.low;
   const double room = std::pow(shown.high / shown.low, margin);
   if (!request.low) shown.low /= room;
   if (!request.high) shown.high *= room;
   if (scale_ == AxisScale::kLog) {
-    // Tics that are powers of ten leave none to the unit.
+    // With tics that are powers of ten the unit has none.
     unit_ = has_power_tics({shown.low, shown.high}) ? AxisUnit{1.0, si_unit}
                                                     : axis_unit(si_unit, shown.high);
     range_ = {unit_.factor * shown.low, unit_.factor * shown.high};

@@ -21,7 +21,7 @@ void check_picture_name(const std::string& file, const char* allowed) {
   const auto control = [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; };
   if (std::any_of(file.begin(), file.end(), control))
     throw InputError("the name of a picture cannot hold control characters");
-  // Its script has the name that gnuplot is given: `gnuplot '<x.gp'` runs a program x.gp.
+  // A leading < in the script's name would make gnuplot run a program: `gnuplot '<x.gp'` runs x.gp.
   const std::string name = path.filename().string();
   if (name.front() == '<' || name.front() == '|')
     throw InputError(

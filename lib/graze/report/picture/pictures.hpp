@@ -1,5 +1,5 @@
-// Results as pictures. Gnuplot draws them; the script and its data stay beside the picture, so that
-// it can be changed and drawn again without the run: x.svg comes with x.gp and x.gp.dat.
+// Results as pictures. Gnuplot draws them; the script and its data are kept beside the picture, so
+// that it can be changed and drawn again without the run: x.svg comes with x.gp and x.gp.dat.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace graze {
 
-// Throws InputError unless `file` ends in .svg, .png or .pdf. `allowed`: what the message says that
-// it may end in.
+// Throws InputError unless `file` ends in .svg, .png or .pdf. `allowed`: the list of allowed
+// endings in the message.
 void check_picture_name(const std::string& file, const char* allowed = ".svg, .png or .pdf");
 
 // All throw FileError, leaving the files as they were, when gnuplot is missing or fails or the

@@ -5,7 +5,7 @@
 namespace graze {
 namespace {
 
-// The pieces between blanks that stand outside of brackets.
+// The pieces between blanks that are outside of brackets.
 std::vector<std::string> words_of(std::string_view text) {
   std::vector<std::string> words(1);
   int depth = 0;
@@ -39,8 +39,8 @@ std::size_t widest(const std::vector<std::string>& words) {
   return width;
 }
 
-// How a line begins that goes on below itself: so much of it stays as it is, and so far in begins
-// the next one.
+// The beginning of a line that is continued: its length that is kept, and the indent of the next
+// line.
 struct Beginning {
   std::size_t kept = 0, indent = 0;
 };
@@ -52,7 +52,7 @@ Beginning beginning_of(std::string_view line, std::size_t most) {
     if (line.substr(begin).starts_with(label)) kept = begin + label.size();
   const std::size_t gap = line.find("  ", begin);
   if (kept == begin && gap != std::string_view::npos) kept = line.find_first_not_of(' ', gap);
-  // A first column that leaves little room is text like the rest.
+  // A wide first column counts as text like the rest.
   return kept == begin || kept > most / 2 ? Beginning{begin, begin + 2} : Beginning{kept, kept};
 }
 

@@ -6,10 +6,10 @@
 
 namespace graze {
 
-// In quotes where a shell would read it otherwise.
+// The word, in quotes if a shell would interpret it.
 std::string shell_word(const std::string& word);
 
-// The program, itself such words, with these arguments.
+// The program, already quoted for a shell, with these arguments.
 std::string shell_command(const std::vector<std::string>& arguments,
                           const std::string& program = "graze");
 

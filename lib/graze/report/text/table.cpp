@@ -33,7 +33,7 @@ struct Fitting {
   std::size_t gap = kWideGap;
 };
 
-// The ways to do so, in the order in which they are tried: what costs lines comes last.
+// The ways to do so, in the order in which they are tried: those that cost lines come last.
 constexpr Fitting kFittings[] = {{1, false, kWideGap},   {2, false, kWideGap}, {3, false, kWideGap},
                                  {3, false, kNarrowGap}, {1, true, kWideGap},  {2, true, kWideGap},
                                  {3, true, kNarrowGap}};
@@ -71,7 +71,7 @@ Block all_columns(const Layout& layout) {
   return block;
 }
 
-// As many columns from `first` on as fit beside the keys, to the end of a part where one fits.
+// As many columns from `first` on as fit beside the keys, up to the end of a group if one fits.
 std::size_t block_end(const Layout& layout, const TableColumns& columns, std::size_t first,
                       std::size_t most) {
   Block block;
@@ -88,7 +88,7 @@ std::size_t block_end(const Layout& layout, const TableColumns& columns, std::si
   return end;
 }
 
-// Whether a row shows anything beside its keys; a row without cells is a mark between others.
+// Whether a row has contents besides its keys; a row without cells is a separator.
 bool shows(const std::vector<Lines>& row, const Block& block, std::size_t keys) {
   return std::any_of(block.begin() + static_cast<std::ptrdiff_t>(keys), block.end(),
                      [&](std::size_t i) { return i < row.size() && widest_of(row[i]) > 0; });

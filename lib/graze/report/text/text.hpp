@@ -8,13 +8,13 @@
 
 namespace graze {
 
-// How much is told, and in which room.
+// The amount of detail, and the width of lines.
 struct TextOptions {
   std::size_t width = 100;  // characters of a line, at most
-  bool verbose = false;     // with what only tells how the numerics went
+  bool verbose = false;     // also notes on the numerics
 };
 
-// As wide as lines are.
+// No limit on the width of lines.
 inline constexpr std::size_t kAnyWidth = std::numeric_limits<std::size_t>::max();
 
 std::string to_text(const CheckRecord& record, const TextOptions& options = {});
@@ -35,8 +35,7 @@ std::string to_text(const CostRecord& record, const TextOptions& options = {});
 std::string to_text(const FitRecord& record, const TextOptions& options = {});
 std::string to_text(const SensitivityRecord& record, const TextOptions& options = {});
 
-// The same lines, none wider than it may be where blanks allow it: sentences go on below
-// themselves.
+// The same lines, broken at blanks to the width; continued sentences are indented below themselves.
 std::string fitted_lines(const std::string& text, const TextOptions& options);
 
 }  // namespace graze

@@ -14,8 +14,8 @@
 namespace graze {
 namespace {
 
-// An end by the special point there, "GR1", which the other table tells of; the range's own limits
-// are known, any other place is told.
+// An end by its special point, "GR1", which the other table describes; the limits of the range are
+// known, any other place is given by its value.
 std::string end_text(const OrbitBranch& branch, std::size_t which) {
   const OrbitBranchEnd kind = branch.ends[which];
   const OrbitBranchPoint& point = which == 0 ? branch.points.front() : branch.points.back();
@@ -71,15 +71,15 @@ std::string branches_text(const BranchRecord& record, const TextOptions& options
   return table.empty() ? "" : table.text(options.width) + "\n";
 }
 
-// A special point as the branches have it that meet there.
+// A special point together with the branches that meet there.
 struct Meeting {
-  const SpecialPoint* point = nullptr;  // of those that tell an impact, the first
+  const SpecialPoint* point = nullptr;  // the first of those that have an impact
   std::string ids, branches;
-  std::vector<OrbitImpact> impacts;  // but the one whose speed vanishes
+  std::vector<OrbitImpact> impacts;  // without the one whose speed vanishes
   bool ends = false;                 // whether a branch ends there
 };
 
-// The impacts of a grazing orbit that have a speed.
+// The impacts of a grazing orbit with nonzero speed.
 std::vector<OrbitImpact> moving_impacts(const SpecialPoint& special) {
   std::vector<OrbitImpact> impacts = special.at.orbit.impacts;
   if (special.by_speed && !impacts.empty())
@@ -90,10 +90,10 @@ std::vector<OrbitImpact> moving_impacts(const SpecialPoint& special) {
   return impacts;
 }
 
-// Whether a branch of other orbits begins there: grazings of one motion, which has the impact that
-// grazes as one of speed zero on one branch and not at all on the other. Each was solved for by
-// itself, to some 1e-12 of the range and of the speeds; symmetric orbits graze at one value too,
-// but not with the same impacts.
+// Whether a branch of other orbits begins there: grazings of one motion, whose grazing impact has
+// zero speed on one branch and is absent on the other. Both were solved for separately, to some
+// 1e-12 of the range and of the speeds; symmetric orbits also graze at one value, but with other
+// impacts.
 bool is_same_motion(const Meeting& known, const SpecialPoint& special, double range,
                     double speed_scale) {
   constexpr double kSame = 1e-6;
@@ -137,7 +137,7 @@ std::vector<Meeting> meetings_of(const BranchRecord& record) {
   return meetings;
 }
 
-// Where an impact's speed vanishes it is zero, whatever the rounding of its equations.
+// A vanishing impact speed is shown as zero, whatever the rounding of its equations.
 std::string speed_text(const SpecialPoint& special, double speed) {
   if (!special.by_speed) return digits_text(speed, 9);
   const std::vector<OrbitImpact>& impacts = special.at.orbit.impacts;
@@ -162,7 +162,7 @@ std::string special_text(const BranchRecord& record, const TextOptions& options)
   return table.empty() ? "" : table.text(options.width) + "\n";
 }
 
-// Special points that nothing more than a bracket is known of.
+// Special points that were bracketed but not solved for.
 std::string bracketed_only(const std::vector<OrbitBranch>& branches) {
   std::string text;
   for (const OrbitBranch& branch : branches)

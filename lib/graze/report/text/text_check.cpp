@@ -24,7 +24,7 @@ std::string damping_text(const SceneStop& stop, const ContactForce& law) {
                      law.coefficient);
 }
 
-// Asked and given, a line of each.
+// Requested and actual restitutions, a line for each.
 std::string requests_text(const Scene& scene, const System& system) {
   const TextUnits in(scene.units);
   std::string text;
@@ -117,7 +117,7 @@ std::string hub_effects(const Hub& hub, const TextUnits& in) {
                                 : "none at the joint");
 }
 
-// In both units where the scene has any, first in the one that it is written in.
+// In both units where the scene has units, first in the one that it is written in.
 std::string frequency_text(const Frequency& frequency, const TextUnits& in) {
   const double omega = frequency;
   if (in("Hz").empty()) return digits_text(omega, 6);
@@ -147,7 +147,7 @@ std::string gravity_text(const Scene& scene) {
                      scene.hub ? "-u at angle 0" : "+u");
 }
 
-// "at 12.3, ", or between two; empty of modes that are given.
+// "at 12.3, ", or between two nodes; empty for modes that are given.
 std::string node_text(const std::string& node, const std::string& against, const char* end) {
   if (node.empty()) return "";
   return (against.empty() ? "at " + node : fmt::format("of {} against {}", node, against)) + end;
@@ -162,7 +162,7 @@ std::string stop_text(const Scene& scene, const SceneStop& stop, const Stop& ass
                   stop.side == Side::kAbove ? "above" : "below", in.quantity(stop.gap, 6, "m"));
   if (stop.spring) {
     const ContactForce& law = assembled.force();
-    // A pure number has its exponent told by itself.
+    // Without units the exponent is given separately.
     const std::string exponent = fmt::format("{:g}", law.exponent);
     const std::string unit = in("N/m^" + exponent);
     const std::string met = in.quantity(assembled.gap, 6, "m");

@@ -36,7 +36,7 @@ std::string motions_text(const ComparisonRecord& record, const TextOptions& opti
   return table.text(options.width);
 }
 
-// Of each motion from the one before.
+// The differences of each motion from the previous one.
 std::string differences_text(const ComparisonRecord& record, const TextOptions& options) {
   Table table({"difference", "first impacts that agree", "first impact (periods)", "its speed (%)",
                "displacement (%)", "velocity (%)", "mean energy (%)", "taken by stops (%)"});

@@ -18,7 +18,7 @@ std::string time_text(double seconds) {
   return fmt::format("{:.3g} us", 1e6 * seconds);
 }
 
-// What costs are given per.
+// The unit of time that costs refer to.
 std::string unit_of_motion(const CostRecord& record) {
   if (record.costs.forced) return " / period";
   return record.info.units == Units::kSi ? " / s" : " / unit of time";

@@ -15,8 +15,8 @@ std::string direction_name(const DirectionShare& share) {
   return share.direction == 0 ? "" : fmt::format(" {}", share.direction);
 }
 
-// Two shapes are told apart to the rounding of the stiffness beside the distance of the squares of
-// their frequencies, which is that of some more numbers.
+// Two shapes are separated to the rounding of the stiffness relative to the difference of the
+// squares of their frequencies, which is some more noise than that of numbers.
 constexpr double kNoiseOfShapes = 100.0;
 
 Table table_of(const ModeTable& modes, const TextUnits& in) {

@@ -13,10 +13,10 @@
 namespace graze {
 namespace {
 
-// Of the impacts of an orbit that closes a chatter only the first and the last are shown.
+// For an orbit that closes a chatter only the first and the last impacts are shown.
 constexpr std::size_t kShownImpacts = 8;
 
-// What the orbits of a record are told by; what is the same for all of them is not told.
+// The properties in which the orbits of a record differ; common ones are not repeated.
 struct Shows {
   bool stop = false, period = false, admissible = false;
 
@@ -28,7 +28,7 @@ struct Shows {
   }
 };
 
-// What holds for the orbit as a whole.
+// Properties of the orbit as a whole.
 std::vector<std::string> whole_of(const Orbit& orbit, const Shows& shows,
                                   const TextOptions& options) {
   std::vector<std::string> cells = {stability_word(orbit.stable)};

@@ -21,7 +21,7 @@ bool is_alike(const ValueRun& a, const ValueRun& b) {
   return a.impacts.size() == b.impacts.size() && a.outcome == b.outcome;
 }
 
-// What the runs from `first` to `last`, alike, have in common.
+// The row of the runs from `first` to `last`, which are alike.
 std::vector<std::string> range_row(const RunDiagramRecord& record, std::size_t first,
                                    std::size_t last) {
   const std::vector<ValueRun>& runs = record.runs;

@@ -14,7 +14,7 @@
 namespace graze {
 namespace {
 
-// What "settled" does not say of some rows.
+// A note on rows that have not come as near to their orbit as requested.
 std::string approaching_note(const Sweep& swept) {
   std::size_t count = 0;
   double farthest = 0.0;
@@ -48,8 +48,7 @@ std::string largest_exponents(const Sweep& swept, const AttractorRange& range) {
                      : fmt::format("{} .. {}", digits_text(low, 4), digits_text(high, 4));
 }
 
-// The values that the motion settles on something alike, row by row; what it settles on at few of
-// all values is folded.
+// The ranges of values with one attractor, row by row; attractors at few of all values are folded.
 std::string ranges_text(const DiagramRecord& record, const TextOptions& options) {
   const Sweep& swept = record.swept;
   const TextUnits in(record.branches.info.units);

@@ -11,10 +11,10 @@
 namespace graze {
 namespace {
 
-// More couplings than so many a node are those of a solid, which lines would only hide.
+// More couplings per node than this are those of a solid, which lines would only hide.
 constexpr std::size_t kMostLinesPerNode = 3;
 
-// Of VTK.
+// Cell types of VTK.
 constexpr int kVertex = 1, kPolyVertex = 2, kVtuLine = 3;
 
 // How ParaView draws an element, by what its type begins with and its nodes, which VTK has in the
@@ -41,7 +41,7 @@ struct Grid {
   std::vector<Cell> cells;
 };
 
-// What is not known how to draw is drawn by its nodes.
+// Elements of unknown types are drawn by their nodes.
 int cell_of(const MeshElement& element) {
   for (const auto& [types, cells] : kDrawn) {
     const auto cell = cells.find(element.nodes.size());

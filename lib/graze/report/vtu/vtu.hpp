@@ -11,10 +11,9 @@
 namespace graze {
 
 // Names and contents: modes.pvd, mode_1.vtu, .. Points are the nodes that have coordinates, cells
-// the elements of the mesh; where no file tells them the pairs that the stiffness couples if these
-// are few, as of a frame, else the points.
-// `displacement` is that of a mode, m per unit of its coordinate. Empty where nothing is known of
-// coordinates.
+// the elements of the mesh; without a file of elements the pairs that the stiffness couples, if
+// these are few as for a frame, else the points. `displacement` is that of a mode, m per unit of
+// its coordinate. Empty where no coordinates are known.
 std::vector<std::pair<std::string, std::string>> mode_shape_files(const Scene& scene);
 
 }  // namespace graze

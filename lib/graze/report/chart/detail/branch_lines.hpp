@@ -1,5 +1,5 @@
-// Branches of orbits as lines over a parameter, parted by stability, and where their special points
-// lie on them: the geometry that every picture of branches draws.
+// Branches of orbits as lines over a parameter, divided by stability, and the positions of their
+// special points: the geometry of every picture of branches.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace graze {
 
-// In the order in which they are drawn: what is seen in an experiment lies on top.
+// In the order of drawing: orbits that an experiment shows lie on top.
 enum LineKind : std::size_t { kVirtualLine, kOpenLine, kUnstableLine, kStableLine, kLineKinds };
 
 LineKind line_kind(const Orbit& orbit);
@@ -30,7 +30,7 @@ struct BranchLine {
   bool is_dot() const { return nodes.size() == 1; }
 };
 
-// A special point as it is marked, SI.
+// A special point with its mark, SI.
 struct BranchMark {
   std::size_t branch = 0, special = 0;  // indices from 0
   double x = 0.0;
@@ -43,7 +43,8 @@ struct BranchLines {
   std::vector<BranchMark> marks;
 };
 
-// `curves`: one a branch. Distances along a branch are measured in parts of what the axes span, SI.
+// `curves`: one for each branch. Distances along a branch are relative to the spans of the axes,
+// SI.
 BranchLines branch_lines(const std::vector<OrbitBranch>& branches,
                          const std::vector<DiagramCurve>& curves, double across, double up);
 

@@ -1,4 +1,4 @@
-// Cells of a plane of two numbers as charts show them.
+// Cells of a plane of two numbers in charts.
 #pragma once
 
 #include <array>
@@ -14,26 +14,26 @@ enum class CellScale {
   kAsIs,      // from dark to bright
   kFromZero,  // the same with zero among them
   kSigned,    // away from zero in two hues
-  kUnbounded  // likewise, only as far below zero as above: smaller ones may have no bound
+  kUnbounded  // likewise, but as far below zero as above: negative values may have no bound
 };
 
-// Numbers as colours: what a range spans, from one end of five colours to the other.
+// Numbers as colours: the range that five colours cover.
 struct CellBar {
   AxisRange range;
   std::array<const char*, 5> colours;
 };
-// Of so many cells; what is not finite is left out.
+// The bar for the values of the cells; values that are not finite are left out.
 CellBar cell_bar(std::size_t cells, const std::function<double(std::size_t cell)>& of,
                  CellScale scale);
 
-// What the cells of an axis span, SI: they reach half their width beyond the values at their
-// middles.
+// The range of the cells along an axis, SI: half a cell beyond the values at their middles.
 AxisRange cell_range(const PlaneAxis& axis);
 
-// What is shown of every cell.
+// The shown quantity of every cell.
 struct CellNumbers {
   std::function<double(std::size_t cell)> of;  // SI, not finite: none
-  // Why it has none: "clear of the stops", "not run", ..; one ground each, and the legend says so.
+  // Why a cell has none: "clear of the stops", "not run", ..; one ground and entry of the legend
+  // each.
   std::function<std::string(std::size_t cell)> without;
   std::string title, unit;  // of the bar beside the axes, SI
   CellScale scale = CellScale::kFromZero;

@@ -1,6 +1,5 @@
 // Loci of special points in the plane of two parameters: each kind in a colour and a dash of its
-// own, parts whose orbits are none of the system grey, points of codimension two as dots with their
-// ids.
+// own, virtual parts grey, points of codimension two as dots with their ids.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Series of charts by their looks, and how these shrink as what is drawn crowds.
+// Series of charts by their looks, and how marks and dots shrink with their number.
 #pragma once
 
 #include <algorithm>
@@ -23,11 +23,11 @@ inline void add_point(ChartSeries& series, double x, double y) {
   series.y.push_back(y);
 }
 
-// The size that suits so many marks.
+// The relative size of this number of marks.
 inline double crowded_mark_size(std::size_t count) {
   return 0.9 * std::clamp(std::sqrt(12.0 / std::max(static_cast<double>(count), 1.0)), 0.5, 1.0);
 }
-// The same of dots, `least` or more.
+// The same for dots, at least `least`.
 inline double crowded_dot_size(std::size_t count, double least) {
   return std::clamp(std::sqrt(4000.0 / std::max(static_cast<double>(count), 1.0)), least, 1.0);
 }

@@ -13,7 +13,7 @@ struct DrawnPoint {
 };
 using DrawnCurve = std::vector<DrawnPoint>;
 
-// What the values span; empty when none is finite.
+// The range of the values; empty when none is finite.
 AxisRange range_of(const DrawnCurve& curve);
 
 // The largest absolute value in the range, 0 when it is empty.

@@ -1,6 +1,6 @@
-// What the cells of a map are by what they settle on, and the entries of a legend that stand for
-// these kinds: motions that always look alike have their ground (appearance/looks.hpp), of the
-// others those with the most cells one each.
+// The kinds of the cells of a map by their settled motion, and their entries in the legend: motions
+// that always look alike have their ground (appearance/looks.hpp), the others with the most cells
+// get one each.
 #pragma once
 
 #include <string>
@@ -25,11 +25,12 @@ struct MapLegend {
   std::vector<int> kind_of;  // of every cell; -1: it was not run
 };
 
-// The ground that all motions of a kind have in every map; null where it goes by number of cells.
+// The ground of all motions of a kind in every map; null for one that depends on the number of
+// cells.
 const Look* ground_of(const AttractorClass& attractor);
 
 MapLegend map_legend(const AttractorMap& map);
-// By what both motions of a cell settle on; where they differ it shows.
+// By the attractors of both motions of a cell, or that they differ.
 MapLegend comparison_legend(const ComparisonMap& map);
 
 void set_grounds(const MapLegend& legend, ChartCells& cells);

@@ -1,5 +1,5 @@
-// What pictures and pages can show of motions over a parameter, or over one another: numbers of the
-// dots of a sweep and of the points of branches.
+// Quantities of motions that pictures and pages can show over a parameter, or over one another:
+// numbers of the dots of a sweep and of the points of branches.
 #pragma once
 
 #include <functional>
@@ -14,26 +14,27 @@ namespace graze {
 
 struct MotionObservable {
   std::string key, name, unit;  // SI
-  // Whether a motion has one value, else one for each of its impacts or forcing periods.
+  // Whether a motion has one value, or one for each of its impacts or forcing periods.
   bool is_of_motion = false;
   bool from_zero = false;
   std::vector<DiagramCurve> curves = {};  // one a branch, or none
-  // Of a row's dots; none: dots do not have it.
+  // Values of a row's dots; empty: dots do not have it.
   std::function<std::vector<double>(const SweepRow&)> heights = {};
   std::optional<double> reference = {};  // a line across
   double most = 1e300;                   // of the axis
-  std::optional<double> turn = {};       // of an angle, after which it is the same
+  std::optional<double> turn = {};       // period of an angle, in its unit
 };
 
-// All that the records hold, the one that a picture shows first. `swept`: the sweep, or none. They
+// All observables of the records, the one of the picture first. `swept`: the sweep, or null. They
 // refer to the records.
 std::vector<MotionObservable> motion_observables(const BranchRecord& record, const Sweep* swept);
 
-// The same of a stroboscopic diagram: displacements and velocities at the stops in place of speeds.
+// The same for a stroboscopic diagram: displacements and velocities at the stops instead of speeds.
 std::vector<MotionObservable> motion_observables(const DiagramRecord& record);
 
-// What an axis of Lyapunov exponents shows: zero, and the largest ones as far down as tells order
-// from chaos. Superstable orbits reach down without bound, and so do the other exponents.
+// The range of an axis of Lyapunov exponents: zero, and the largest exponents as far down as needed
+// to distinguish order from chaos. Superstable orbits reach down without bound, and so do the other
+// exponents.
 AxisRange exponent_range(const Sweep& swept);
 
 // Whether a row's motion is shown.

@@ -1,5 +1,5 @@
-// What the picture of a run shows of it: the motion at the places of the stops, when it was stuck
-// there, the contact forces and the energy.
+// Contents of the picture of a run: the motion at the places of the stops, its stuck phases there,
+// the contact forces and the energy.
 #pragma once
 
 #include <vector>
@@ -15,15 +15,15 @@ struct TimeSpan {
   double start = 0.0, end = 0.0;  // s
 };
 
-// A stop that a place sees: at `place` on its axis, approached towards `sense`.
+// A stop at a place: at `place` on its axis, approached in the direction `sense`.
 struct SeenStop {
   int index = 0;
   double sense = 1.0;  // +1, or -1 for a stop on the other side
   double place = 0.0;  // m
 };
 
-// Whether it is near what the motion spans, or so far off that axes that show both would press the
-// motion flat.
+// Whether it is near the range of the motion; otherwise axes that show both would flatten the
+// motion.
 bool is_near(const SeenStop& stop, const AxisRange& motion);
 
 struct SeenImpact {
@@ -42,13 +42,13 @@ struct StuckPhase {
   double place = 0.0;  // of the stop, m
 };
 
-// One point of the structure, seen along the row of the first stop there. Without stops it is the
-// first modal coordinate.
+// One point of the structure, along the row of the first stop there. Without stops it is the first
+// modal coordinate.
 struct SeenPlace {
   Vector row;
   std::vector<SeenStop> stops;
   std::vector<SeenImpact> impacts;
-  std::vector<MotionPoint> motion;  // with the impacts themselves, which samples may miss
+  std::vector<MotionPoint> motion;  // includes the impacts themselves, which samples may miss
   std::vector<StuckPhase> stuck;    // stop by stop
 };
 

@@ -1,4 +1,4 @@
-// What is stable in a plane of two parameters, as grounds of cells.
+// Regions of stable motions in a plane of two parameters, as grounds of cells.
 #pragma once
 
 #include "graze/report/chart/detail/map_legend.hpp"

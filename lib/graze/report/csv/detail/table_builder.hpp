@@ -18,7 +18,7 @@ class TableNames : public ResultVisitor {
   bool sees_all() const override { return true; }
 
  protected:
-  // What is in a row has no rows of its own, but for what stands beside it.
+  // A row contains no rows, except for tables beside it.
   bool open(const Field& field, Shape shape) override;
   void close() override {}
   void take(const Field&, const FieldValue&) override {}
@@ -31,11 +31,11 @@ class TableNames : public ResultVisitor {
   int rows_ = 0;  // around what is handed over
 };
 
-// One of them. The result has to be described to it twice: its columns, then its rows.
+// Builds one of them. The result has to be described to it twice: for its columns, then its rows.
 class TableBuilder : public ResultVisitor {
  public:
   explicit TableBuilder(std::string table) : table_(std::move(table)) {}
-  // From now on rows are what is handed over.
+  // From now on described fields are rows.
   void begin_rows();
   ResultTable take();
   bool wants_rows(std::string_view table) const override { return table == table_; }
@@ -56,7 +56,7 @@ class TableBuilder : public ResultVisitor {
     bool in_row;  // else the same in all rows of a scope
     ColumnBuilder cells;
   };
-  // What is outside of rows, and stands in all that lie within.
+  // Fields outside of rows, which are repeated in all rows within.
   struct Scope {
     std::string_view name;
     std::string prefix;  // before it
@@ -83,7 +83,7 @@ class TableBuilder : public ResultVisitor {
   std::string prefix_;
 };
 
-// The table of that name, of a result that `tell` describes to a visitor.
+// The table of that name, of a result that `tell` describes to the visitor passed to it.
 template <class Tell>
 ResultTable built_table(std::string_view name, const Tell& tell) {
   TableBuilder builder{std::string(name)};

@@ -12,7 +12,7 @@ namespace graze {
 class DocumentWriter : public ResultVisitor {
  public:
   DocumentWriter();
-  // All that was handed over. Empties this.
+  // Moves the document out.
   Json take();
 
  protected:
@@ -34,7 +34,7 @@ class DocumentWriter : public ResultVisitor {
   bool names_only_ = false;
 };
 
-// The units of all numbers that a description hands over, by their names.
+// The units of all numbers of a description, by their names.
 class UnitList : public ResultVisitor {
  public:
   Json take() { return std::move(units_); }

@@ -1,5 +1,5 @@
-// Private to this room. A result document as a whole: what all begin with, and its text. To write
-// and to read JSON is compiled here alone, and takes long.
+// Private to this room. A result document as a whole: its common beginning, and its text. Writing
+// and reading of JSON is compiled only here, since it takes long.
 #pragma once
 
 #include <string>
@@ -14,9 +14,9 @@ namespace graze {
 Json document_head(const RunInfo& info, const Outcome& outcome,
                    const std::vector<std::string>& warnings);
 
-// File names and titles may hold bytes that are no UTF-8; they are replaced, not thrown over.
+// File names and titles may hold bytes that are not UTF-8; these are replaced.
 std::string document_text(const Json& document);
-// Of a whole document: without "units" and with every "unit" empty where its scene has none.
+// For a whole document: without "units" and with every "unit" empty where its scene has none.
 std::string document_text(Json document, const RunInfo& info);
 
 }  // namespace graze

@@ -1,4 +1,4 @@
-// Private to this room. What a page (page.hpp) is told: lists of numbers as the bytes of typed
+// Private to this room. The data of a page (page.hpp): lists of numbers as the bytes of typed
 // arrays, names without gnuplot's markup, commands for a shell, and the file itself.
 #pragma once
 
@@ -27,12 +27,12 @@ Json page_axis(const std::string& name, const std::string& si_unit, AxisRange ra
 std::string page_command(const RunInfo& info, const std::string& command,
                          const std::vector<std::string>& more);
 
-// What every page begins with: head of the document, notes, how it was made. `warnings` and
-// `notes` are the record's.
+// The common beginning of pages: head of the document, notes, the command. `warnings` and `notes`
+// are the record's.
 Json page_view(const RunInfo& info, const Outcome& outcome,
                const std::vector<std::string>& warnings, const std::vector<std::string>& notes);
 
-// Puts both into the page and the page into its place.
+// Puts the view and the orbits into the page, and writes the file.
 void write_page_file(const std::string& file, const Json& view, const Json& orbits);
 
 }  // namespace graze

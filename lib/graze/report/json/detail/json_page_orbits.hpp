@@ -1,5 +1,5 @@
-// Private to this room. Orbits and motions as a page shows them: courses at the stops, impacts,
-// stuck phases, multipliers, and the command that makes them again.
+// Private to this room. Orbits and motions as a page shows them: curves at the stops, impacts,
+// stuck phases, multipliers, and the command that computes them again.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace graze {
 
-// What the orbits of a page have in common.
+// Data shared by the orbits of a page.
 struct PageSource {
   const RunInfo& info;
   std::string parameter;                // that the run was over; empty: none
@@ -20,15 +20,15 @@ struct PageSource {
   StopSignal stop{};                    // of what is followed for the page
 };
 
-// Samples of a curve over so many periods, so that the fastest mode is seen; at most `most`, but
-// some in every period.
+// Number of samples of a curve over `periods`, enough to resolve the fastest mode; at most `most`,
+// but some in every period.
 int page_samples(const System& system, long long periods, int most);
 
 // An orbit of `system`, which is the one at `value` of the parameter.
 Json page_orbit(const PageSource& source, const System& system, const Orbit& orbit,
                 std::optional<double> value);
 
-// What a motion settled on, from the start of a forcing period on.
+// A settled motion, from the start of a forcing period on.
 struct PageMotion {
   AttractorClass attractor;
   State start;
@@ -38,12 +38,12 @@ struct PageMotion {
 };
 PageMotion page_motion_of(const PageSource& source, const SweepRow& row);
 
-// Of the system that it is in: the orbit that it settled on, else what the motion does. Null where
-// it was stopped.
+// For a motion of `system`: the orbit that it settled on, else the motion itself. Null where it was
+// stopped.
 Json page_motion(const PageSource& source, const System& system, const PageMotion& motion);
 
-// Which of `count` orbits a page keeps, so that files stay small: every n-th, the first and the
-// last among them, at most `most`.
+// Indices of the orbits out of `count` that a page keeps, so that files stay small: every n-th, the
+// first and the last included, at most `most`.
 std::vector<std::size_t> kept_of(std::size_t count, std::size_t most);
 
 }  // namespace graze

@@ -1,5 +1,5 @@
-// Private to this room. Values as documents hold them: null for what does not exist, as JSON has
-// no other word for NaN and infinity.
+// Private to this room. Values in documents: null for missing ones, since JSON has neither NaN nor
+// infinity.
 #pragma once
 
 #include <cmath>
@@ -22,7 +22,7 @@ Json json_maybe(const std::optional<T>& value) {
     return *value;
 }
 
-// Of a vector of numbers.
+// The list of a vector's numbers.
 template <class Numbers>
 Json json_list(const Numbers& numbers) {
   Json json = Json::array();

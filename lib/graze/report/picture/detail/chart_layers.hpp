@@ -1,4 +1,4 @@
-// What a panel of a chart shows, as gnuplot's layers over axes.
+// The contents of a panel of a chart, as gnuplot's layers over axes.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace graze {
 
-// A panel with its axes, which it is drawn over, and what parts the names of its data from those of
+// A panel with its axes, and the prefix that distinguishes the names of its data from those of
 // other panels: "panel2_".
 struct PanelAxes {
   const ChartPanel* panel;
@@ -18,9 +18,9 @@ struct PanelAxes {
 
   bool has_dots() const;
 };
-// Of all panels of a chart, row by row, as the request wants them.
+// The panels of a chart, row by row, with the axes of the request.
 std::vector<PanelAxes> axes_of(const Chart& chart, const PictureRequest& request);
-// Whether two axes show the same, if over other ranges.
+// Whether two axes show the same quantity, possibly over different ranges.
 bool is_alike(const ChartAxis& a, const ChartAxis& b);
 
 // How a series is drawn, without its data: "with lines lw 1.8 ..".
@@ -32,10 +32,10 @@ std::string legend_entry(const ChartCells::Ground& ground);
 // Each writes its data and returns layers. `is_svg`: cells may be shapes.
 std::vector<std::string> cell_layers(const PanelAxes& axes, bool is_svg, GnuplotScript& script);
 std::vector<std::string> curve_layers(const PanelAxes& axes, GnuplotScript& script);
-// Dots of this size, of gnuplot's points.
+// Dots of this size, in gnuplot's points.
 std::vector<std::string> dot_layers(const PanelAxes& axes, double size, GnuplotScript& script);
 
-// Writes the names of the panel, so wide and high (cm), as far as they are wanted.
+// Writes the names of the panel of this width and height (cm), if they are wanted.
 void write_names(const PanelAxes& axes, double width, double height, LabelChoice choice,
                  GnuplotScript& script);
 

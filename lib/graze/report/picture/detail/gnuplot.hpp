@@ -38,10 +38,10 @@ class PlotTable {
 class GnuplotScript {
  public:
   void command(const std::string& line);
-  // Makes the table known as $name, for layers that begin with it.
+  // Defines the table as $name, for layers that begin with it.
   void data(const std::string& name, const PlotTable& table);
   // One plot of several layers, each as gnuplot writes it: "$name using 1:2 with lines"; without
-  // layers the bare axes, so ranges have to be set. Layers of empty tables are left out.
+  // layers the bare axes, whose ranges must be set then. Layers of empty tables are left out.
   void plot(const std::vector<std::string>& layers);
 
   const std::string& text() const { return text_; }
@@ -55,18 +55,18 @@ class GnuplotScript {
 
 // `text` as a gnuplot string; _ and ^ in it lower and raise, {} group.
 std::string gnuplot_string(const std::string& text);
-// The same of words that are no markup.
+// The same for text without markup.
 std::string plain_gnuplot_string(const std::string& text);
 
-// Draws the script into the file that is asked for, and keeps it beside the picture as x.gp with
-// its data as x.gp.dat, so that `gnuplot x.gp`, run in that folder, draws the picture again. Throws
+// Draws the script into the requested file, and keeps it beside the picture as x.gp with its data
+// as x.gp.dat, so that `gnuplot x.gp`, run in that folder, draws the picture again. Throws
 // FileError, leaving all files as they were, when gnuplot is missing or fails, or the folder cannot
 // be written to.
 void draw_picture(const PictureRequest& request, const RunInfo& info, const GnuplotScript& script,
                   const Canvas& canvas);
 
-// A layer of very many dots, drawn as pixels. A vector picture that held each of them as a shape
-// would be megabytes large.
+// A layer of very many dots, drawn as pixels. A vector picture with a shape for each of them would
+// be megabytes large.
 struct PixelLayer {
   GnuplotScript script;       // draws the layer over the whole of its canvas
   int width = 0, height = 0;  // of the canvas, pixels

@@ -1,5 +1,5 @@
-// Room for words beside what a panel shows: a label covers no mark and no other label, is crossed
-// by no line, and covers dots only where there is no place without.
+// Places labels beside the contents of a panel: a label covers no mark and no other label, is
+// crossed by no line, and covers dots only if there is no other place.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace graze {
 
-// What the axes of a panel span, in their own units.
+// The ranges of the axes of a panel, in their own units.
 struct LabelPlane {
   AxisRange x, y;
   bool x_is_log = false, y_is_log = false;
@@ -19,30 +19,30 @@ struct LabelPlane {
 
 class LabelRoom {
  public:
-  // A panel so wide and high, cm of a picture 12 cm wide, with these axes.
+  // A panel of this width and height, cm of a picture 12 cm wide, with these axes.
   LabelRoom(const LabelPlane& plane, double width, double height);
 
-  // What is there already, in the units of the axes.
+  // Adds contents of the panel, in the units of the axes.
   void add_line(double x0, double y0, double x1, double y1);
   void add_dot(double x, double y);
   void add_mark(double x, double y);
-  // Writes lines of text about a place, which take their room there.
+  // Writes lines of text about a place, which occupy their space.
   void write_over(GnuplotScript& script, const std::string& lines, double x, double y);
 
-  // Words stand on white from here on, to be read on any ground.
+  // Puts white behind labels from here on, so that they are legible on any ground.
   void stand_on_white() { is_on_ground_ = true; }
-  // Writes the text near a place, as near as there is room for it, with a thin line to it from
-  // farther away; false where there is none.
+  // Writes the text near a place, as near as there is space for it, with a thin line to it from
+  // farther away; false when there is none.
   bool write(GnuplotScript& script, const std::string& text, double x, double y);
-  // Ids beside their points; what stands at one place, as the end of one branch and the beginning
-  // of the next, has one label, which counts them where they are more than two. Of many none stands
-  // away from its point: lines to all would be a net.
+  // Ids beside their points; ids at one place, as the end of one branch and the beginning of the
+  // next, share one label, which counts them if they are more than two. If there are many, labels
+  // stay at their points: lines to all would form a net.
   struct NamedPoint {
     double x = 0.0, y = 0.0;
     std::string id;
   };
   void name(GnuplotScript& script, const std::vector<NamedPoint>& points);
-  // The same at the best of several places: on a curve, which it stands beside.
+  // The same at the best of several places: beside a curve.
   bool write(GnuplotScript& script, const std::string& text,
              const std::vector<std::pair<double, double>>& places);
 

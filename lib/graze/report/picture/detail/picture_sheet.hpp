@@ -1,4 +1,4 @@
-// The sheet that a picture is drawn on: its size, its font, and what stands at its head.
+// The sheet of a picture: its size, its font, and its caption.
 #pragma once
 
 #include <cstddef>
@@ -14,18 +14,18 @@ namespace graze {
 struct Canvas {
   double width = 12.0;
   double height = 9.0;    // without the caption
-  double laid_out = 9.0;  // the height that the layout reckons with
+  double laid_out = 9.0;  // the height for which the layout is computed
   double caption = 0.0;   // above it
   double scale = 1.0;     // of text, lines and marks on paper
 
-  // As many columns as have the room of `columns` in a width of 12 cm, one at least.
+  // The number of columns that have the width of `columns` in 12 cm, at least one.
   std::size_t columns(std::size_t columns) const;
 };
-// Of a layout that is `natural` cm high unless another height is asked for.
+// The canvas of a layout that is `natural` cm high unless another height is requested.
 Canvas canvas_of(const PictureRequest& request, const RunInfo& info, double natural);
 
-// What the picture is of, in a line or two: the scene's title, else its file, and what was set in
-// it; or what was asked for.
+// The subject of the picture, in a line or two: the scene's title, else its file, and what was set
+// in it; or the requested title.
 std::vector<std::string> caption_of(const PictureRequest& request, const RunInfo& info,
                                     double width);
 // gnuplot's terminal for the file, its size and its font, and the units of a script that come with

@@ -1,4 +1,4 @@
-// What the pictures have in common: axes, margins, legends.
+// Common parts of pictures: axes, margins, legends.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ std::string axis_label(const std::string& name, const std::string& unit);
 // Axes, fonts and line ends that all pictures share.
 void set_style(GnuplotScript& script);
 
-// Places the axes: what stays free on each side, as parts of a picture of 12 cm and of the height
-// that it is laid out for (GnuplotScript).
+// Places the axes: the free margin on each side, as parts of a picture of 12 cm and of the height
+// of its layout (GnuplotScript).
 struct Margins {
   double left = 0.0, right = 0.0, bottom = 0.0, top = 0.0;
 };
@@ -28,15 +28,15 @@ void set_margins(GnuplotScript& script, const Margins& margins);
 void name_vertical_axis(GnuplotScript& script, const std::string& name, const std::string& unit,
                         double place);
 
-// A name that is longer than so many letters over two lines, broken before its direction, else near
+// A name that is longer than `most` letters in two lines, broken before its direction, else near
 // its middle.
 std::string in_two_lines(std::string name, std::size_t most);
 
-// As many tics of a vertical axis of so many cm as are told apart, `most` at most.
+// The number of distinguishable tics on a vertical axis of this length, cm, `most` at most.
 int tics_within(double length, int most);
 
 // The horizontal axis of a picture over a parameter: its range, in the axis' unit, and its tics;
-// over a forcing frequency (rad/s) also one in Hz above the axes, which takes its room there. Names
+// over a forcing frequency (rad/s) also one in Hz above the axes, which takes space there. Names
 // are left out where another panel has them.
 struct AxisNames {
   bool below = true, above = true;
@@ -44,12 +44,13 @@ struct AxisNames {
 void set_parameter_axis(GnuplotScript& script, const std::string& parameter, const AxisRange& range,
                         const std::string& unit, AxisNames names = {}, bool is_log = false);
 
-// How SI values are shown on an axis: as `of` makes them, in `unit`. Logarithmic axes show what is
-// above zero, decibels (20 log10, re 1 of the SI unit) sizes; what is not is at the axis' low end.
+// How SI values are shown on an axis: transformed by `of`, in `unit`. Logarithmic axes show
+// positive values, decibels (20 log10, re 1 of the SI unit) absolute values; others are at the
+// axis' low end.
 class ShownAxis {
  public:
-  // `values`: what the axis has to show, SI. Of a linear axis `margin`, a part of its span, is left
-  // free on both sides, and zero belongs to it where it is `from_zero`.
+  // `values`: those that the axis has to show, SI. On a linear axis `margin`, a part of its span,
+  // is left free on both sides, and zero is included if `from_zero`.
   ShownAxis(const AxisRequest& request, const std::string& si_unit,
             const std::vector<double>& values, double margin, bool from_zero = false);
 
@@ -66,7 +67,7 @@ class ShownAxis {
   AxisScale scale_;
   AxisUnit unit_;
   AxisRange range_;
-  double least_ = 0.0;  // what is smaller is shown as this, SI; 0: none
+  double least_ = 0.0;  // smaller values are shown as this, SI; 0: none
 };
 
 }  // namespace graze

@@ -9,10 +9,10 @@
 
 namespace graze {
 
-// What is missing, as one line; "" where all went well.
+// The missing part of the result, as one line; "" when nothing is missing.
 std::string ending(const Outcome& outcome);
 
-// A line a note, then those about the numerics where they are wanted.
+// A line for each note, then those about the numerics if they are wanted.
 std::string notes_text(const std::vector<std::string>& notes,
                        const std::vector<std::string>& details, const TextOptions& options);
 

@@ -6,19 +6,19 @@
 
 namespace graze {
 
-// The head of a column, "gap (m)"; the name alone of a pure number.
+// The head of a column, "gap (m)"; the name alone for a pure number.
 std::string with_unit(const std::string& name, const std::string& unit);
 
-// How the columns of a table belong together, for one that is too wide.
+// Grouping of the columns of a table, for one that is too wide.
 struct TableColumns {
   std::size_t keys = 1;              // the first ones, which say what a row is
   std::vector<std::size_t> parts{};  // where a new part begins
 };
 
-// Columns line up on the right; the header row comes first. A table that is wider than it may be
-// has its heads and then its lists ("GR at 1, GR at 2") broken into lines; what is still too wide
-// is cut into blocks, one below the other, that repeat the keys and leave out rows of which they
-// show nothing else. Only a single column too wide by itself stays so.
+// Columns are aligned on the right; the header row comes first. A table that is too wide first has
+// its heads and then its lists ("GR at 1, GR at 2") broken into lines; if still too wide, it is cut
+// into blocks, one below the other, that repeat the keys and leave out rows without other contents.
+// Only a single column that is too wide by itself stays so.
 class Table {
  public:
   explicit Table(std::vector<std::string> header, TableColumns columns = {})

@@ -1,4 +1,4 @@
-// Private to this room. How large a motion is, at places and at stops.
+// Private to this room. Amplitudes of a motion, at places and at stops.
 #pragma once
 
 #include <string>

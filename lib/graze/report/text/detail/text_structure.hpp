@@ -1,4 +1,4 @@
-// The structure of a scene in words, for the list of what is simulated.
+// The structure of a scene in words, for the list of simulated effects.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@
 
 namespace graze {
 
-// Names of effects and what they are, the structure itself first, in the order of the list. Of
-// modes that are found by elements also how.
+// Names and descriptions of effects, the structure itself first, in the order of the list. For
+// modes by elements with their accuracy.
 std::vector<std::pair<std::string, std::string>> structure_effects(
     const Scene& scene, const std::optional<ElementAccuracy>& elements);
 

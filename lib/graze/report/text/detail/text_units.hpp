@@ -1,4 +1,4 @@
-// Units in tables and sentences: none of a scene whose numbers are pure.
+// Units in tables and sentences: none for a scene whose numbers are pure.
 #pragma once
 
 #include <string>
