@@ -171,7 +171,7 @@ int compare_over_plane(const CompareCommand& command) {
   record.x_unit = number_unit(one, options.x.name);
   record.y_unit = number_unit(one, options.y.name);
   record.shown = command.show;
-  note_options(command, Told::In::kPieces, record.info);
+  note_options(command, Recorded::In::kPieces, record.info);
   for (const auto& [name, scene] : {std::pair(record.one, &one), std::pair(record.other, &other)})
     for (const std::string& warning : system_warnings(*scene, assemble(*scene)))
       record.warnings.push_back(name + ": " + warning);
@@ -183,7 +183,7 @@ int compare_over_plane(const CompareCommand& command) {
   record.map = compare_over(one, other, options);
   options.progress = nullptr;
   if (!work.is_whole_here()) return work.conclude_part(record.map.stopped);
-  note_options(command, Told::In::kResult, record.info);
+  note_options(command, Recorded::In::kResult, record.info);
   record.outcome = comparison_map_outcome(record.map);
   return work.conclude(record, record.map.stopped, one);
 }

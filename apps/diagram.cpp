@@ -109,7 +109,7 @@ int run(const DiagramCommand& command) {
   if (command.measures()) record.branches.amplitudes.places = places;
   DiagramCommand in_force = command;
   in_force.branches = wanted;
-  note_options(in_force, Told::In::kPieces, record.branches.info);
+  note_options(in_force, Recorded::In::kPieces, record.branches.info);
   record.branches.warnings = system_warnings(scene, record.branches.system);
   warn(command, record.branches.warnings);
   prepare_output(command);
@@ -124,7 +124,7 @@ int run(const DiagramCommand& command) {
   record.swept = sweep(family, options);
   options.progress = nullptr;
   if (!work.is_whole_here()) return work.conclude_part(record.swept.stopped);
-  note_options(in_force, Told::In::kResult, record.branches.info);
+  note_options(in_force, Recorded::In::kResult, record.branches.info);
   const std::optional<Outcome> traced = add_branches(command, wanted, family, tracing, record);
   record.branches.outcome = diagram_outcome(record.swept, traced);
   const bool swept = record.swept.stopped == StopReason::kNone;

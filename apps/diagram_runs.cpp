@@ -40,7 +40,7 @@ int run_diagram_of_runs(const DiagramCommand& command, const Scene& scene) {
   record.duration = options.duration;
   record.stops = scene.stops.size();
   record.probes = scene.probes;
-  note_options(command, Told::In::kPieces, record.info);
+  note_options(command, Recorded::In::kPieces, record.info);
   record.warnings = system_warnings(scene, assemble(scene));
   warn(command, record.warnings);
   prepare_output(command);
@@ -53,7 +53,7 @@ int run_diagram_of_runs(const DiagramCommand& command, const Scene& scene) {
   const bool is_done = record.runs.size() == options.values.size();
   const StopReason stopped = is_done ? StopReason::kNone : options.stop.reason();
   if (!work.is_whole_here()) return work.conclude_part(stopped);
-  note_options(command, Told::In::kResult, record.info);
+  note_options(command, Recorded::In::kResult, record.info);
   record.outcome = run_diagram_outcome(record.runs, options.values.size(), stopped);
   return work.conclude(record, stopped, scene);
 }

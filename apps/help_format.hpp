@@ -9,7 +9,7 @@
 namespace graze {
 
 // What --help says of an option, in one line: what it does, then the words that it takes, its
-// default and the options that it does not go with, where that does not tell them.
+// default and the options that it does not go with, where that does not name them.
 std::string help_line(const OptionDescription& option);
 
 // What stands below the options of a command.

@@ -41,7 +41,7 @@ void check_journal_options(const CommonOptions& command, const JournalOptions& o
 
 namespace {
 
-// Which stands; nothing where no folder was asked for.
+// The journal in use; nullopt when no folder was asked for.
 std::optional<Journal> journal_of(const CommonOptions& command, const JournalOptions& options,
                                   JournalHead head) {
   if (command.out.empty()) return {};

@@ -23,7 +23,7 @@ std::filesystem::path journal_file(const std::string& folder, const Share& share
 void check_journal_options(const CommonOptions& command, const JournalOptions& options);
 
 // The work of a command in pieces: its journal in the command's folder, where one was asked for,
-// and who does it. `head` tells of the work; share and processor are filled in.
+// and who does it. `head` describes the work; share and processor are filled in.
 class JournalledWork {
  public:
   JournalledWork(const CommonOptions& command, const JournalOptions& options,

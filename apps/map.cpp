@@ -63,7 +63,7 @@ int run(const MapCommand& command) {
   const Scene scene = scene_of(command);
   require_exact_flow(scene, "maps are drawn");
   require_forcing_and_stop(scene);
-  // What loci need is told before the map is made, and its time counts from here.
+  // What loci need is refused before the map is made, and the time for loci counts from here.
   std::optional<LociOptions> loci;
   if (!command.locus.empty()) loci = loci_options(command, scene);
   AttractorMapOptions options = map_options(command);
@@ -77,7 +77,7 @@ int run(const MapCommand& command) {
   record.measured = shown_of(command.curve, command.curve_at, places);
   record.shown = record.measured ? MapQuantity::kMeasured : command.show;
   if (command.measures()) record.places = places;
-  note_options(command, Told::In::kPieces, record.info);
+  note_options(command, Recorded::In::kPieces, record.info);
   record.warnings = system_warnings(scene, system);
   warn(command, record.warnings);
   prepare_output(command);
@@ -88,7 +88,7 @@ int run(const MapCommand& command) {
   record.map = map_attractors(scene, options);
   options.progress = nullptr;
   if (!work.is_whole_here()) return work.conclude_part(record.map.stopped);
-  note_options(command, Told::In::kResult, record.info);
+  note_options(command, Recorded::In::kResult, record.info);
   record.outcome = map_outcome(record.map);
   if (loci) trace_over(command, scene, *loci, record);
   const bool stops_in_loci = record.loci && record.map.stopped == StopReason::kNone;

@@ -71,17 +71,17 @@ int run_program(int argc, char** argv, const std::function<int(Command&)>& run) 
 }
 
 int caught(const std::function<int()>& work,
-           const std::function<int(const std::string& sentence, int code)>& told) {
+           const std::function<int(const std::string& sentence, int code)>& on_error) {
   try {
     return work();
   } catch (const InputError& error) {
-    return told(error.what(), 2);
+    return on_error(error.what(), 2);
   } catch (const FileError& error) {
-    return told(error.what(), 4);
+    return on_error(error.what(), 4);
   } catch (const std::bad_alloc&) {
-    return told("graze: out of memory", 4);
+    return on_error("graze: out of memory", 4);
   } catch (const std::exception& error) {
-    return told(std::string("graze: ") + error.what(), 4);
+    return on_error(std::string("graze: ") + error.what(), 4);
   }
 }
 

@@ -15,9 +15,9 @@ int run_program(int argc, char** argv, const std::function<int(Command&)>& run);
 // Does what the command says; returns the exit code.
 int run_command(const Command& command);
 
-// What `work` returns, or `told` where it throws, called with a sentence and the exit code that the
-// exception stands for.
+// Returns what `work` returns, or, where it throws, what `on_error` does, called with a sentence
+// and the exit code that the exception stands for.
 int caught(const std::function<int()>& work,
-           const std::function<int(const std::string& sentence, int code)>& told);
+           const std::function<int(const std::string& sentence, int code)>& on_error);
 
 }  // namespace graze

@@ -19,7 +19,7 @@ struct Restart {
   Scene scene;                          // the one given, with the values of the special point
 };
 
-// What --restart and --label name; nothing where they are not given. Throws InputError where there
+// What --restart and --label name; nullopt when they are not given. Throws InputError where there
 // is no such point, where `scene` differs from that of the run in what its orbits depend on, and
 // where --out is the run's own folder.
 std::optional<Restart> read_restart(const ContinueCommand& command, const Scene& scene);

@@ -20,7 +20,8 @@
 namespace graze {
 namespace {
 
-// Told by one thread at a time; renewed by one of its own, as a piece of work may take long.
+// Updated by one thread at a time; redrawn by a thread of its own, as a piece of work may take
+// long.
 class ProgressLine {
  public:
   ProgressLine(std::string name, int count, std::string things)
@@ -47,7 +48,7 @@ class ProgressLine {
     const auto now = Clock::now();
     fraction_ = fraction;
     if (now - last_ < kPause) return;
-    // What an earlier run left is there at once and tells nothing of how fast this one is.
+    // What an earlier run left is there at once and says nothing about the speed of this run.
     if (!first_) first_ = fraction, first_time_ = now;
     print(now);
   }

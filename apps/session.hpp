@@ -82,7 +82,7 @@ int conclude(const CommonOptions& command, const RunInfo& info, const Outcome& o
              Result result);
 
 // The same for a record of a motion in `scene`, with its tables and further files. `result`: what
-// is told of it otherwise than of other records. A caller takes the record.
+// is printed of it otherwise than of other records. A caller takes the record.
 template <class Record>
 int conclude(const CommonOptions& command, Record& record, const Scene& scene,
              std::function<NamedFiles()> files = {}, Result result = {}) {

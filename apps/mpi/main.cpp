@@ -45,7 +45,7 @@ void set_workers(Command& parsed, BlockWorkers& workers, int ranks) {
       parsed);
 }
 
-// What a rank does of a command that neither tells nor keeps anything: the first one does.
+// Makes a rank neither print nor keep anything: the first one does.
 void silence(Command& parsed) {
   std::visit(
       [](auto& command) {

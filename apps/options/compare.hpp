@@ -36,7 +36,7 @@ struct CompareCommand : MotionOptions, RangeOptions, SecondRangeOptions {
 // Reads "1:8", or throws InputError.
 void read_modes(const std::string& text, CompareCommand& command);
 
-void describe_what_is_compared(auto& v, CompareCommand& o, const Told& of_motions) {
+void describe_what_is_compared(auto& v, CompareCommand& o, const Recorded& of_motions) {
   v.heading("Comparison");
   v.option("against", o.against, "KEY=VALUE",
            "The other scene: this one with a key changed, as with --set; as often as wanted",
@@ -59,7 +59,7 @@ void describe_what_is_compared(auto& v, CompareCommand& o, const Told& of_motion
 }
 
 void describe_ranges(auto& v, CompareCommand& o) {
-  const Told if_range = kOfPieces.where(!o.parameter.empty());
+  const Recorded if_range = kOfPieces.where(!o.parameter.empty());
   const Needs parameter{{"parameter"}}, second{{"second"}};
   v.heading("Parameters");
   v.option("parameter", o.parameter, "NAME", "Path of the parameter, e.g. stop.gap",
@@ -87,7 +87,7 @@ void describe(auto& v, CompareCommand& o) {
       "         graze compare data/scenes/02_wagg_momentum.toml --modes 1:8\n"
       "         graze compare data/scenes/20_yigit_sensitivity.toml --sensitivity \\\n"
       "           --duration 0.2 --parameter stop.spring.damping.coefficient --from 0 --to 1000");
-  const Told of_motions = kOfPieces.where(!o.sensitivity);
+  const Recorded of_motions = kOfPieces.where(!o.sensitivity);
   describe_scene(v, o);
   describe(v, o.plot, kFeatures<ComparisonRecord>);
   describe_what_is_compared(v, o, of_motions);

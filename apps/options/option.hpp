@@ -2,8 +2,8 @@
 //   void describe(auto& v, Group& o)
 // says of each its name as results have it ("closure_speed", which is --closure-speed), its value,
 // what stands for that in help ("V"; a flag has none), what it means, and parts, in any order, of
-// what else there is to say. Visitors know no option: CommandLine reads them, OptionNotes tells
-// them in results.
+// what else there is to say. Visitors know no option: CommandLine reads them, OptionNotes
+// records them in results.
 #pragma once
 
 #include <functional>
@@ -28,22 +28,22 @@ using ValueCheck = std::function<std::string(std::string& text)>;
 // Sets what a value says, or throws InputError.
 using TextReader = std::function<void(const std::string&)>;
 
-// Whether a result tells the option among those that it depends on. An absent or empty value is
-// never told.
-struct Told {
+// Whether a result records the option among those that it depends on. An absent or empty value is
+// never recorded.
+struct Recorded {
   enum class In { kNothing, kPieces, kResult };
   In in = In::kNothing;
-  std::optional<OptionValue> value{};  // where it is not told as it was given
+  std::optional<OptionValue> value{};  // where it is not recorded as given
   std::string name{};                  // where results have another one
 
-  Told where(bool holds) const { return holds ? *this : Told{}; }
-  Told as(OptionValue told) const { return {in, std::move(told), name}; }
-  Told named(std::string other) const { return {in, value, std::move(other)}; }
+  Recorded where(bool holds) const { return holds ? *this : Recorded{}; }
+  Recorded as(OptionValue recorded) const { return {in, std::move(recorded), name}; }
+  Recorded named(std::string other) const { return {in, value, std::move(other)}; }
 };
 // What each piece of long work depends on: a journal goes on only where it is the same.
-inline const Told kOfPieces{Told::In::kPieces};
+inline const Recorded kOfPieces{Recorded::In::kPieces};
 // What only the whole depends on.
-inline const Told kOfResult{Told::In::kResult};
+inline const Recorded kOfResult{Recorded::In::kResult};
 
 struct Letter {
   char letter;  // 's': -s too
@@ -83,7 +83,7 @@ class OptionParts {
 
   bool is(Trait trait) const { return (traits_ & bit(trait)) != 0; }
   ValueCheck check{};
-  Told told{};
+  Recorded recorded{};
   char letter = 0;  // 0: none
   std::vector<std::string> needs{}, excludes{}, choices{};
   std::string default_word{};
@@ -92,7 +92,7 @@ class OptionParts {
  private:
   static unsigned bit(Trait trait) { return 1U << static_cast<unsigned>(trait); }
   void add(const ValueCheck& part) { check = part; }
-  void add(const Told& part) { told = part; }
+  void add(const Recorded& part) { recorded = part; }
   void add(const Letter& part) { letter = part.letter; }
   void add(const Needs& part) { needs = part.names; }
   void add(const Excludes& part) { excludes = part.names; }

@@ -87,7 +87,7 @@ void describe(auto& v, CostCommand& o) {
            "oscillation)",
            above_zero(), kOfResult.named("longest"));
   describe_closure_speed(v, o);
-  describe_limits(v, o, Told{});
+  describe_limits(v, o, Recorded{});
 }
 
 void describe(auto& v, FitCommand& o) {

@@ -96,11 +96,11 @@ void describe_impacts(auto& v, OrbitSearchOptions& o, int least, double most, co
   v.text("impacts", read, "K|any", what, impacts_or_any(least, most), parts...);
 }
 
-// `told`: whether a result depends on them.
-void describe_search(auto& v, OrbitSearchOptions& o, const Told& told = kOfResult) {
+// `recorded`: whether a result depends on them.
+void describe_search(auto& v, OrbitSearchOptions& o, const Recorded& recorded = kOfResult) {
   describe_limits(v, o);
   v.heading("Search for orbits");
-  describe_period(v, o, "Forcing periods p after which the orbit repeats", told);
+  describe_period(v, o, "Forcing periods p after which the orbit repeats", recorded);
   v.flag("virtual", o.keep_virtual,
          "Keep solutions that are no orbits too: penetrating a stop, or impact speed < 0",
          kOfResult);
@@ -108,14 +108,14 @@ void describe_search(auto& v, OrbitSearchOptions& o, const Told& told = kOfResul
            "Where the search starts, several with commas: closed-form (k = 1, 2), simulation, "
            "random (quasi-random phases, deflation, then global minimisation) (default: all)",
            Choices{{"closed-form", "simulation", "random"}}, kWithCommas,
-           o.starts.empty() ? told.as("all") : told);
+           o.starts.empty() ? recorded.as("all") : recorded);
   v.option("random_seed", o.random_seed, "N", "Seed: another one moves the quasi-random starts",
-           whole_number("a whole number, 0 or more", 0.0, kMostCounted), told);
+           whole_number("a whole number, 0 or more", 0.0, kMostCounted), recorded);
 }
 
-// Which orbits' branches are traced, and how far from the first. What is told of either.
-void describe_branch_kind(auto& v, BranchingOptions& o, const Told& impacts,
-                          const Told& following) {
+// Which orbits' branches are traced, and how far from the first; whether results record either.
+void describe_branch_kind(auto& v, BranchingOptions& o, const Recorded& impacts,
+                          const Recorded& following) {
   v.heading("Branches");
   describe_impacts(
       v, o, 0, 64,
@@ -155,12 +155,12 @@ void describe_locus_kinds(auto& v, LocusTracingOptions& o, const char* what, con
            kWithCommas, kOfResult, parts...);
 }
 
-void describe_slices(auto& v, LocusTracingOptions& o, const Told& told) {
+void describe_slices(auto& v, LocusTracingOptions& o, const Recorded& recorded) {
   v.option(
       "slices", o.slices, "N",
       "With --locus: values of either parameter, besides the scene's own, at which special points "
       "are sought to start from; a locus that crosses none and meets no other is missed",
-      whole_number_within(0, 10'000), Needs{{"locus"}}, told.where(!o.locus.empty()));
+      whole_number_within(0, 10'000), Needs{{"locus"}}, recorded.where(!o.locus.empty()));
 }
 
 void describe_restart(auto& v, RestartOptions& o) {

@@ -80,22 +80,22 @@ void describe_scene(auto& v, SceneOptions& o) {
   describe_output(v, o);
 }
 
-void describe_closure_speed(auto& v, MotionOptions& o, const Told& told = kOfPieces) {
+void describe_closure_speed(auto& v, MotionOptions& o, const Recorded& recorded = kOfPieces) {
   v.heading(kNumericsGroup);
   v.option("closure_speed", o.closure_speed, "V",
            "Speed below which the rest of a chatter is summed, m/s (default: "
            "sqrt(solver.tolerance/100) of the motion's speed; graze check prints it)",
-           at_least("a speed in m/s, 0 or more", 0.0), told);
+           at_least("a speed in m/s, 0 or more", 0.0), recorded);
 }
 
-void describe_max_seconds(auto& v, CommonOptions& o, const Told& told = kOfResult) {
+void describe_max_seconds(auto& v, CommonOptions& o, const Recorded& recorded = kOfResult) {
   v.heading(kNumericsGroup);
   v.option("max_seconds", o.max_seconds, "S",
-           "Most computing time, s; what was reached by then is printed", above_zero(), told);
+           "Most computing time, s; what was reached by then is printed", above_zero(), recorded);
 }
 
-void describe_limits(auto& v, MotionOptions& o, const Told& impacts = kOfPieces,
-                     const Told& seconds = kOfResult) {
+void describe_limits(auto& v, MotionOptions& o, const Recorded& impacts = kOfPieces,
+                     const Recorded& seconds = kOfResult) {
   v.heading(kNumericsGroup);
   v.option("max_impacts", o.max_impacts, "N",
            "Most impacts of one simulated motion; it then ends and says so",

@@ -69,7 +69,7 @@ void describe(auto& v, DiagramCommand& o) {
             "           --from 15 --to 120");
   // Without forcing there is one run at each value, and none of this.
   const bool of_sweep = !o.duration;
-  const Told if_all = kOfResult.where(o.branches == DiagramBranches::kAll);
+  const Recorded if_all = kOfResult.where(o.branches == DiagramBranches::kAll);
   describe_scene(v, o);
   describe(v, o.plot, kFeatures<DiagramRecord>);
   describe_range(v, o, Excludes{{"duration"}});
@@ -148,7 +148,7 @@ void describe(auto& v, MapCommand& o) {
                        "Draw the loci of special points over the map: LP, PD, NS, GR, CH, several "
                        "with commas, or all");
   describe_slices(v, o, kOfResult);
-  const Told of_loci = kOfResult.where(!o.locus.empty());
+  const Recorded of_loci = kOfResult.where(!o.locus.empty());
   describe_period(v, o, "With --locus: forcing periods p of the orbits", Needs{{"locus"}}, of_loci);
   v.option("impacts", o.impacts, "K", "With --locus: impacts k of the orbits (default: 1)",
            whole_number_within(1, 64), Needs{{"locus"}},

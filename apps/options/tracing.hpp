@@ -38,10 +38,10 @@ void describe(auto& v, ContinueCommand& o) {
   describe_scene(v, o);
   describe(v, o.plot, kFeatures<BranchRecord>);
   describe_range(v, o);
-  const Told told = kOfResult.where(o.restart.folder.empty());
-  describe_search(v, o, told);
-  describe_branch_kind(v, o, told.as(o.any_impacts ? "any" : std::to_string(o.impacts.value_or(1))),
-                       kOfResult);
+  const Recorded recorded = kOfResult.where(o.restart.folder.empty());
+  describe_search(v, o, recorded);
+  describe_branch_kind(
+      v, o, recorded.as(o.any_impacts ? "any" : std::to_string(o.impacts.value_or(1))), kOfResult);
   describe_curve(v, o);
   describe_closure_speed(v, o);
   describe_locus_kinds(v, o,

@@ -30,23 +30,23 @@ struct JournalOptions {
 // Reads "3/8", or throws InputError.
 void read_share(const std::string& text, Share& share);
 
-void describe_following(auto& v, SettlingOptions& o, const Told& told = kOfPieces) {
+void describe_following(auto& v, SettlingOptions& o, const Recorded& recorded = kOfPieces) {
   v.heading("Motions at each value");
   v.option("periods", o.periods, "K",
            "Forcing periods run at a value, at most (default 1000); fewer once it settled",
-           whole_number("a whole number from 1", 1.0, kMostCounted), told);
+           whole_number("a whole number from 1", 1.0, kMostCounted), recorded);
   v.option("samples", o.samples, "M", "Forcing periods shown where nothing repeats",
-           whole_number_within(1, 1'000'000), told);
+           whole_number_within(1, 1'000'000), recorded);
 }
 
-// The same, and what is told of them.
-void describe_settling(auto& v, SettlingOptions& o, const Told& told = kOfPieces) {
-  describe_following(v, o, told);
+// The same, and whether results record them.
+void describe_settling(auto& v, SettlingOptions& o, const Recorded& recorded = kOfPieces) {
+  describe_following(v, o, recorded);
   v.option("exponents", o.exponents, "K",
            "Lyapunov exponents at every value: of the multipliers where the motion repeats, else "
            "averaged over so many forcing periods",
            whole_number("a whole number from 1", 1.0, kMostCounted), kNoDefault,
-           told.where(o.exponents > 0));
+           recorded.where(o.exponents > 0));
 }
 
 void describe_journal(auto& v, JournalOptions& o) {

@@ -197,7 +197,7 @@ class BoundedSolver : private ceres::CostFunction, private ceres::IterationCallb
   const LeastSquaresOptions& options_;
   const Residuals counted_;
   Vector steps_;
-  Vector units_;  // of Ceres' unknowns: powers of two, so that limits are exact
+  Vector units_;                    // of Ceres' unknowns: powers of two, so that limits are exact
   Vector tried_, tried_residuals_;  // the last point that Ceres asked for
   bool is_last_ = false;            // the step from result_ is too short for another
   int searches_ = 0;

@@ -53,10 +53,10 @@ ContactCrossing cross_with_location(const ElasticContact& contact, double step);
 double crossing_error(const ElasticContact& contact, const ContactCrossing& crossing);
 
 struct ContactOrderRow {
-  int steps = 0;       // in the contact; 0: the exact flow
-  double step = 0.0;   // s
-  double error = 0.0;  // the largest for kContactPlaces places of the contact within the steps
-  double seconds = 0.0;      // of computing time, a contact
+  int steps = 0;         // in the contact; 0: the exact flow
+  double step = 0.0;     // s
+  double error = 0.0;    // the largest for kContactPlaces places of the contact within the steps
+  double seconds = 0.0;  // of computing time, a contact
   double evaluations = 0.0;  // a contact
 };
 inline constexpr int kContactPlaces = 16;

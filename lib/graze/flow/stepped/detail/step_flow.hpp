@@ -39,8 +39,8 @@ enum class SpringWatch {
   kDepth,  // of a spring
   kGrip,   // of a spring (ContactForce::grip)
   kSlack,  // minus that
-  kRest,  // distance of the depth of a spring at rest from zero, less its error bound
-  kHold   // constant + weights.x + the force of a hold of a turning structure
+  kRest,   // distance of the depth of a spring at rest from zero, less its error bound
+  kHold    // constant + weights.x + the force of a hold of a turning structure
 };
 
 // For a watch that starts at zero: whether it is known how it leaves zero. If not, it is reported
@@ -125,10 +125,10 @@ struct SprungWorks {
 };
 
 struct StepDescent {
-  int watch = -1;       // the first to fall through zero; -1: none did
-  double s = 0.0;       // of that fall; else the end of the window, or of what is known
-  bool finite = true;   // the state stayed in range
-  bool beyond = false;  // for a watch whose sign was asked for: it became positive
+  int watch = -1;                // the first to fall through zero; -1: none did
+  double s = 0.0;                // of that fall; else the end of the window, or of what is known
+  bool finite = true;            // the state stayed in range
+  bool beyond = false;           // for a watch whose sign was asked for: it became positive
   std::vector<double> errors{};  // then, of every watch that was
   bool stopped = false;          // the stop signal ended it
   double lowest = 0.0;           // least value of any watch at the ends of the steps

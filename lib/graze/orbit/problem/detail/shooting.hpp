@@ -24,8 +24,8 @@ namespace graze {
 // multiplier of the orbit: a deviation that comes back mu times as large closes the equations.
 struct ShootingLinearisation {
   Vector residual;
-  Matrix jacobian;  // by x
-  Matrix closing;   // the derivative of the last flight's end by the first impact
+  Matrix jacobian;       // by x
+  Matrix closing;        // the derivative of the last flight's end by the first impact
   Matrix by_parameters;  // a column for each tangent of the system
 };
 

@@ -18,10 +18,9 @@ namespace graze {
 // A number, a word, a list or a part of a result.
 struct Field {
   std::string_view name{};
-  std::string_view unit{};  // SI; empty of a pure number, a word or a part
-  std::string_view what{};  // it means, for the reference
-  std::string_view
-      column{};  // its name in tables, if different; for a pair both, "from,to"
+  std::string_view unit{};    // SI; empty of a pure number, a word or a part
+  std::string_view what{};    // it means, for the reference
+  std::string_view column{};  // its name in tables, if different; for a pair both, "from,to"
   std::string_view tables{};  // tables whose rows repeat it, besides its own row: "orbits"
   enum class Use {
     kEverywhere,
