@@ -18,43 +18,43 @@ std::string as_markup(const std::string& words) {
       plain += ' ';
       continue;
     }
-
-    std::string plain_text(const std::string& markup) {
-      static const std::map<char, std::string> kRaised = {
-          {'-', "⁻"}, {'0', "⁰"}, {'1', "¹"}, {'2', "²"}, {'3', "³"}, {'4', "⁴"},
-          {'5', "⁵"}, {'6', "⁶"}, {'7', "⁷"}, {'8', "⁸"}, {'9', "⁹"}};
-      static const std::map<char, std::string> kLowered = {
-          {'0', "₀"}, {'1', "₁"}, {'2', "₂"}, {'3', "₃"}, {'4', "₄"},
-          {'5', "₅"}, {'6', "₆"}, {'7', "₇"}, {'8', "₈"}, {'9', "₉"}};
-      std::string text = markup;
-      if (const std::size_t root = text.find("^1/2"); root != std::string::npos)
-        text.replace(root, 4, "^½");
-      std::string plain;
-      const std::map<char, std::string>* shifted = nullptr;
-      for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        const std::map<char, std::string>& single = c == '^' ? kRaised : kLowered;
-        if (c == '\\') {
-          if (++i < text.size()) plain += text[i];
-        } else if ((c == '^' || c == '_') && i + 1 < text.size() && single.contains(text[i + 1])) {
-          plain += single.at(text[++i]);
-        } else if ((c == '^' || c == '_') && i + 1 < text.size() && text[i + 1] == '{') {
-          shifted = c == '^' ? &kRaised : &kLowered;
-          ++i;
-        } else if (shifted && c == '}') {
-          shifted = nullptr;
-        } else if (shifted && shifted->contains(c)) {
-          plain += shifted->at(c);
-        } else {
-          plain += c;
-        }
-      }
-      return plain;
-    }
     if (c == '_' || c == '^' || c == '{' || c == '}' || c == '@' || c == '&' || c == '~' ||
         c == '\\')
       plain += '\\';
     plain += c;
+  }
+  return plain;
+}
+
+std::string plain_text(const std::string& markup) {
+  static const std::map<char, std::string> kRaised = {
+      {'-', "⁻"}, {'0', "⁰"}, {'1', "¹"}, {'2', "²"}, {'3', "³"}, {'4', "⁴"},
+      {'5', "⁵"}, {'6', "⁶"}, {'7', "⁷"}, {'8', "⁸"}, {'9', "⁹"}};
+  static const std::map<char, std::string> kLowered = {
+      {'0', "₀"}, {'1', "₁"}, {'2', "₂"}, {'3', "₃"}, {'4', "₄"},
+      {'5', "₅"}, {'6', "₆"}, {'7', "₇"}, {'8', "₈"}, {'9', "₉"}};
+  std::string text = markup;
+  if (const std::size_t root = text.find("^1/2"); root != std::string::npos)
+    text.replace(root, 4, "^½");
+  std::string plain;
+  const std::map<char, std::string>* shifted = nullptr;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const std::map<char, std::string>& single = c == '^' ? kRaised : kLowered;
+    if (c == '\\') {
+      if (++i < text.size()) plain += text[i];
+    } else if ((c == '^' || c == '_') && i + 1 < text.size() && single.contains(text[i + 1])) {
+      plain += single.at(text[++i]);
+    } else if ((c == '^' || c == '_') && i + 1 < text.size() && text[i + 1] == '{') {
+      shifted = c == '^' ? &kRaised : &kLowered;
+      ++i;
+    } else if (shifted && c == '}') {
+      shifted = nullptr;
+    } else if (shifted && shifted->contains(c)) {
+      plain += shifted->at(c);
+    } else {
+      plain += c;
+    }
   }
   return plain;
 }
