@@ -35,6 +35,29 @@ void expect_same(const GeneratorParts& a, const GeneratorParts& b) {
   }
 }
 
+// Two oscillators that are coupled to each other, and between their coordinates two that are not:
+// in the parts of either all else is zero, and together the parts are the generator.
+TEST(GeneratorParts, OfCoordinatesThatNothingCouplesStayApart) {
+  Matrix generator = Matrix::Zero(8, 8);  // displacements 1 to 4, velocities 1 to 4
+  generator.topRightCorner(4, 4).setIdentity();
+  generator.bottomLeftCorner(4, 4).diagonal() = Vector{{-2.0, -3.0, -5.0, -7.0}};
+  generator(4, 2) = generator(6, 0) = 1.5;
+  generator.bottomRightCorner(4, 4).diagonal().setConstant(-0.1);
+  const auto set_of = [](Eigen::Index i) { return i % 4 == 0 || i % 4 == 2 ? 0 : i % 4; };
+  Matrix sum = Matrix::Zero(8, 8);
+  for (const GeneratorPart& part : take_apart(generator).parts) {
+    const auto& [matrix, basis, coordinates] = part.block;
+    sum += basis * matrix * coordinates;
+    Eigen::Index first = 0;
+    basis.rowwise().norm().maxCoeff(&first);
+    for (Eigen::Index i = 0; i < 8; ++i) {
+      if (set_of(i) == set_of(first)) continue;
+      EXPECT_TRUE((basis.row(i).array() == 0.0).all() && (coordinates.col(i).array() == 0.0).all());
+    }
+  }
+  EXPECT_LE((sum - generator).norm(), 1e-13);
+}
+
 TEST(GeneratorParts, AreFoundOnce) {
   const auto first = generator_parts(generator_of(4.0));
   EXPECT_EQ(generator_parts(generator_of(4.0)), first);

@@ -20,6 +20,29 @@ double certain_growth(const Matrix& generator) {
   return growth;
 }
 
+// The coordinates in sets that no entry of the matrix couples, each ascending. Taken apart one by
+// one they stay apart to the last digit: what is at rest beside motions that do not reach it is not
+// moved by the rounding of a decomposition.
+std::vector<std::vector<Eigen::Index>> uncoupled_sets(const Matrix& generator) {
+  std::vector<std::vector<Eigen::Index>> sets;
+  std::vector<bool> known(static_cast<std::size_t>(generator.rows()), false);
+  for (Eigen::Index first = 0; first < generator.rows(); ++first) {
+    if (known[static_cast<std::size_t>(first)]) continue;
+    known[static_cast<std::size_t>(first)] = true;
+    std::vector<Eigen::Index> set{first};
+    for (std::size_t next = 0; next < set.size(); ++next)
+      for (Eigen::Index i = 0; i < generator.rows(); ++i) {
+        const bool meets = generator(i, set[next]) != 0.0 || generator(set[next], i) != 0.0;
+        if (!meets || known[static_cast<std::size_t>(i)]) continue;
+        known[static_cast<std::size_t>(i)] = true;
+        set.push_back(i);
+      }
+    std::sort(set.begin(), set.end());
+    sets.push_back(std::move(set));
+  }
+  return sets;
+}
+
 // The cache, latest first. Matrices are compared by their bits, so that a cached result is exactly
 // the one that would be computed anew.
 class Remembered {
@@ -73,9 +96,15 @@ class Remembered {
 
 GeneratorParts take_apart(const Matrix& generator) {
   GeneratorParts apart{certain_growth(generator), {}};
-  for (InvariantBlock& block : invariant_blocks(generator, kLargestLoss)) {
-    ComplexModes modes = complex_modes(block.matrix);
-    apart.parts.push_back({std::move(block), std::move(modes)});
+  for (const std::vector<Eigen::Index>& set : uncoupled_sets(generator)) {
+    for (InvariantBlock& block : invariant_blocks(generator(set, set), kLargestLoss)) {
+      ComplexModes modes = complex_modes(block.matrix);
+      const Eigen::Index n = generator.rows(), k = block.matrix.rows();
+      InvariantBlock whole{std::move(block.matrix), Matrix::Zero(n, k), Matrix::Zero(k, n)};
+      whole.basis(set, Eigen::all) = block.basis;
+      whole.coordinates(Eigen::all, set) = block.coordinates;
+      apart.parts.push_back({std::move(whole), std::move(modes)});
+    }
   }
   return apart;
 }
