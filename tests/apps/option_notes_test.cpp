@@ -32,7 +32,7 @@ void describe(auto& v, OwnOptions& o) {
       kOfResult.where(o.fast).as("all"));
 }
 
-std::string told(const OwnOptions& options, Told::In in) {
+std::string told(const OwnOptions& options, Recorded::In in) {
   RunInfo info;
   note_options(options, in, info);
   std::string text;
@@ -48,11 +48,11 @@ std::string told(const OwnOptions& options, Told::In in) {
 }
 
 TEST(OptionNotes, TellWhatIsThere) {
-  EXPECT_EQ(told({}, Told::In::kPieces), "count=3;");
-  EXPECT_EQ(told({}, Told::In::kResult), "fast=false;");
+  EXPECT_EQ(told({}, Recorded::In::kPieces), "count=3;");
+  EXPECT_EQ(told({}, Recorded::In::kResult), "fast=false;");
   const OwnOptions given{2.5, 4, true, true, {"a", "b"}, {"x=1", "y=2"}, "data.csv"};
-  EXPECT_EQ(told(given, Told::In::kPieces), "speed=2.5;count=4;");
-  EXPECT_EQ(told(given, Told::In::kResult),
+  EXPECT_EQ(told(given, Recorded::In::kPieces), "speed=2.5;count=4;");
+  EXPECT_EQ(told(given, Recorded::In::kResult),
             "file=data.csv;words=a,b;keys=x=1 y=2;fast=true;follow=all;");
 }
 
