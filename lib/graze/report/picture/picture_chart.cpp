@@ -28,9 +28,9 @@ constexpr double kHeading = 0.42;                // a line above a panel
 constexpr double kLegendLine = 0.37;             // of a legend at the foot
 constexpr double kEdge = 0.02;                   // beside it, part of the sheet
 constexpr double kMarkSpacing = 1.25;            // of its lines, relative, where they have marks
-// Letters of a legend's entry: longer entries have a line each; many short ones are three in a
-// line.
-constexpr std::size_t kLong = 27, kShort = 14, kMany = 4;
+// Letters of a legend's entry: of longer entries gnuplot puts no two in a line; many short ones are
+// three in a line.
+constexpr std::size_t kLong = 24, kShort = 14, kMany = 4;
 constexpr double kDot = 0.16;  // of gnuplot's points, of one that is seen among a million
 constexpr int kPixels = 2000;  // of dots, across a picture of 12 cm
 
