@@ -151,8 +151,7 @@ class Run {
     if (untouched_ && arrival.lowest && std::isfinite(*arrival.lowest))
       note_gap(std::max(*arrival.lowest, 0.0), state_.totals);
     if (!options_.steps) result_.evaluations += arrival.evaluations;
-    // A motion that cannot be followed has no samples, whether this run or an earlier one finds
-    // out.
+    // A motion that cannot be followed has no samples, whichever run finds out.
     if (arrival.kind == ArrivalKind::kRefused && arrival.flight == 0.0) return true;
     const double start_time = seconds_at(walk_.departure(), motion_.flow().period());
     if (!follow(start_time, arrival.flight)) {

@@ -199,10 +199,13 @@ Vector SegmentEquations::halves_differ(const SolutionPoint& solution) const {
     SegmentLayout half_layout = layout();
     half_layout.period /= 2;
     const SegmentShooting half = shooting_.over(std::move(half_layout));
-    // A motion that is in flight then differs from one that is released by more than numbers tell.
-    const auto back =
-        layout().released ? return_of(*system, half, solution.u) : std::optional<ReleaseReturn>();
-    if (layout().released && (!back || !back->returns)) return Vector();
+    // Where the motion has not come to rest on that stop by then, its state there has nothing to do
+    // with that of a release, and no change of the sign of their difference means anything.
+    if (const std::optional<int> stop = layout().released) {
+      const std::optional<ReleaseReturn> back = return_of(*system, half, solution.u);
+      if (!back || std::count(back->sticking.begin(), back->sticking.end(), *stop) == 0)
+        return Vector();
+    }
     const auto at = half.linearise(*system, solution.u, {});
     return at ? at->residual : Vector();
   });

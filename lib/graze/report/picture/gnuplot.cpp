@@ -14,6 +14,7 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "graze/base/errors.hpp"
@@ -257,8 +258,7 @@ void write(const std::string& file, const Drawing& drawing) {
 std::string beside(const std::string& file, const char* extension) {
   const std::string name =
       std::filesystem::path(file).replace_extension(extension).filename().string();
-  const bool special =
-      name.front() == '|' || name.front() == '~' || name.front() == '-' || name.front() == '<';
+  const bool special = std::string_view("|~-<$").find(name.front()) != std::string_view::npos;
   return (special ? "./" : "") + name;
 }
 
