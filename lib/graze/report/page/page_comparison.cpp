@@ -1,5 +1,4 @@
 #include "graze/record/study_records.hpp"
-
 #include "graze/report/chart/charts.hpp"
 #include "graze/report/json/detail/json_page.hpp"
 #include "graze/report/page/detail/page_plane.hpp"

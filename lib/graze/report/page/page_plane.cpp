@@ -1,6 +1,7 @@
 #include "graze/report/page/detail/page_plane.hpp"
 
 #include <fmt/format.h>
+
 #include <cstdint>
 #include <map>
 
