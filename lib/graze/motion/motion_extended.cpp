@@ -1,4 +1,4 @@
-#include "graze/flow/exact/detail/dense_factors_extended.hpp"
+#include "graze/flow/exact/detail/products_extended.hpp"
 #include "graze/flow/exact/extended.hpp"
 #include "graze/motion/detail/motion_impl.hpp"
 

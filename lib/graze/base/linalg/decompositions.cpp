@@ -2,7 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -203,9 +202,12 @@ Vector null_vector(const Matrix& matrix) {
 }
 
 NullSpaces null_spaces(const Matrix& matrix, int dimension) {
-  const Eigen::JacobiSVD<Matrix, Eigen::FullPivHouseholderQRPreconditioner> svd(
-      matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return {svd.matrixV().rightCols(dimension), svd.matrixU().rightCols(dimension - 1)};
+  const Eigen::Index n = matrix.cols();
+  const SingularValues<double> factors = singular_values<double>(matrix.transpose());
+  // What the right vectors of the other values leave free.
+  const Matrix others = factors.left.leftCols(n - dimension);
+  return {orthonormal_columns<double>(others, n).rightCols(dimension),
+          factors.right.rightCols(dimension - 1)};
 }
 
 }  // namespace graze

@@ -5,7 +5,6 @@
 namespace graze {
 
 template class PivotedLu<double>;
-template SingularValues<double> singular_values(const RealMatrix<double>&);
-template RealMatrix<double> orthonormal_columns(const RealMatrix<double>&, Eigen::Index);
+template Matrix orthonormal_columns(const Matrix&, Eigen::Index);
 
 }  // namespace graze

@@ -84,7 +84,8 @@ ChartPanel flows_panel(const FlowCosts& costs, Units units) {
     front.x.push_back(row->seconds_per_period);
     front.y.push_back(drawn_error(*row));
   }
-  if (!front.x.empty()) panel.series.push_back(front);
+  // Below the marks that it surrounds: what is open covers what lies under it.
+  if (!front.x.empty()) panel.series.insert(panel.series.begin(), front);
   if (most > 0.0)
     panel.series.push_back({"solver.tolerance",
                             {.colour = kGrey, .dashes = {8, 4}, .width = 1.0},

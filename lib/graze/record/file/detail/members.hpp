@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstddef>
-#include <tuple>
 #include <utility>
 
 namespace graze {
@@ -26,155 +25,99 @@ constexpr bool takes_values(std::index_sequence<I...>) {
 
 inline constexpr std::size_t kMostMembers = 26;
 
-template <class T, std::size_t most = kMostMembers + 1>
+// Braces accept any fewer initialisers, too.
+template <class T, std::size_t count = 0>
 constexpr std::size_t member_count() {
-  static_assert(most > 0, "no value with members");
-  if constexpr (takes_values<T>(std::make_index_sequence<most>()))
-    return most;
+  if constexpr (count <= kMostMembers && takes_values<T>(std::make_index_sequence<count + 1>()))
+    return member_count<T, count + 1>();
   else
-    return member_count<T, most - 1>();
-}
-
-// References to `count` members.
-template <std::size_t count>
-struct Members {};
-template <class T>
-auto tied(T& value, Members<1>) {
-  auto& [a] = value;
-  return std::tie(a);
-}
-template <class T>
-auto tied(T& value, Members<2>) {
-  auto& [a, b] = value;
-  return std::tie(a, b);
-}
-template <class T>
-auto tied(T& value, Members<3>) {
-  auto& [a, b, c] = value;
-  return std::tie(a, b, c);
-}
-template <class T>
-auto tied(T& value, Members<4>) {
-  auto& [a, b, c, d] = value;
-  return std::tie(a, b, c, d);
-}
-template <class T>
-auto tied(T& value, Members<5>) {
-  auto& [a, b, c, d, e] = value;
-  return std::tie(a, b, c, d, e);
-}
-template <class T>
-auto tied(T& value, Members<6>) {
-  auto& [a, b, c, d, e, f] = value;
-  return std::tie(a, b, c, d, e, f);
-}
-template <class T>
-auto tied(T& value, Members<7>) {
-  auto& [a, b, c, d, e, f, g] = value;
-  return std::tie(a, b, c, d, e, f, g);
-}
-template <class T>
-auto tied(T& value, Members<8>) {
-  auto& [a, b, c, d, e, f, g, h] = value;
-  return std::tie(a, b, c, d, e, f, g, h);
-}
-template <class T>
-auto tied(T& value, Members<9>) {
-  auto& [a, b, c, d, e, f, g, h, i] = value;
-  return std::tie(a, b, c, d, e, f, g, h, i);
-}
-template <class T>
-auto tied(T& value, Members<10>) {
-  auto& [a, b, c, d, e, f, g, h, i, j] = value;
-  return std::tie(a, b, c, d, e, f, g, h, i, j);
-}
-template <class T>
-auto tied(T& value, Members<11>) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k] = value;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k);
-}
-template <class T>
-auto tied(T& value, Members<12>) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l] = value;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l);
-}
-template <class T>
-auto tied(T& value, Members<13>) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = value;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m);
-}
-template <class T>
-auto tied(T& value, Members<14>) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = value;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
-}
-template <class T>
-auto tied(T& value, Members<15>) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o] = value;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
-}
-template <class T>
-auto tied(T& value, Members<16>) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = value;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p);
-}
-template <class T>
-auto tied(T& value, Members<17>) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = value;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
-}
-template <class T>
-auto tied(T& value, Members<18>) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r] = value;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r);
-}
-template <class T>
-auto tied(T& value, Members<19>) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s] = value;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s);
-}
-template <class T>
-auto tied(T& value, Members<20>) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t] = value;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t);
-}
-template <class T>
-auto tied(T& value, Members<21>) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u] = value;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u);
-}
-template <class T>
-auto tied(T& value, Members<22>) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v] = value;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v);
-}
-template <class T>
-auto tied(T& value, Members<23>) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w] = value;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w);
-}
-template <class T>
-auto tied(T& value, Members<24>) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x] = value;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x);
-}
-template <class T>
-auto tied(T& value, Members<25>) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y] = value;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y);
-}
-template <class T>
-auto tied(T& value, Members<26>) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z] = value;
-  return std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z);
+    return count;
 }
 
 // `use` is called with all members of `value`.
 template <class T, class Use>
 void with_members(T& value, const Use& use) {
   constexpr std::size_t count = member_count<T>();
-  static_assert(count <= kMostMembers, "tie more members above");
-  std::apply(use, tied(value, Members<count>()));
+  static_assert(count > 0 && count <= kMostMembers, "name more members below");
+  if constexpr (count == 1) {
+    auto& [a] = value;
+    use(a);
+  } else if constexpr (count == 2) {
+    auto& [a, b] = value;
+    use(a, b);
+  } else if constexpr (count == 3) {
+    auto& [a, b, c] = value;
+    use(a, b, c);
+  } else if constexpr (count == 4) {
+    auto& [a, b, c, d] = value;
+    use(a, b, c, d);
+  } else if constexpr (count == 5) {
+    auto& [a, b, c, d, e] = value;
+    use(a, b, c, d, e);
+  } else if constexpr (count == 6) {
+    auto& [a, b, c, d, e, f] = value;
+    use(a, b, c, d, e, f);
+  } else if constexpr (count == 7) {
+    auto& [a, b, c, d, e, f, g] = value;
+    use(a, b, c, d, e, f, g);
+  } else if constexpr (count == 8) {
+    auto& [a, b, c, d, e, f, g, h] = value;
+    use(a, b, c, d, e, f, g, h);
+  } else if constexpr (count == 9) {
+    auto& [a, b, c, d, e, f, g, h, i] = value;
+    use(a, b, c, d, e, f, g, h, i);
+  } else if constexpr (count == 10) {
+    auto& [a, b, c, d, e, f, g, h, i, j] = value;
+    use(a, b, c, d, e, f, g, h, i, j);
+  } else if constexpr (count == 11) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k] = value;
+    use(a, b, c, d, e, f, g, h, i, j, k);
+  } else if constexpr (count == 12) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l] = value;
+    use(a, b, c, d, e, f, g, h, i, j, k, l);
+  } else if constexpr (count == 13) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = value;
+    use(a, b, c, d, e, f, g, h, i, j, k, l, m);
+  } else if constexpr (count == 14) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = value;
+    use(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
+  } else if constexpr (count == 15) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o] = value;
+    use(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
+  } else if constexpr (count == 16) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = value;
+    use(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p);
+  } else if constexpr (count == 17) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = value;
+    use(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
+  } else if constexpr (count == 18) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r] = value;
+    use(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r);
+  } else if constexpr (count == 19) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s] = value;
+    use(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s);
+  } else if constexpr (count == 20) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t] = value;
+    use(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t);
+  } else if constexpr (count == 21) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u] = value;
+    use(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u);
+  } else if constexpr (count == 22) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v] = value;
+    use(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v);
+  } else if constexpr (count == 23) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w] = value;
+    use(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w);
+  } else if constexpr (count == 24) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x] = value;
+    use(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x);
+  } else if constexpr (count == 25) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y] = value;
+    use(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y);
+  } else if constexpr (count == 26) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z] = value;
+    use(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x, y, z);
+  }
 }
 
 }  // namespace graze
