@@ -52,7 +52,7 @@ echo "== ranks of an MPI job"
 python3 tests/mpi/check_ranks.py build/graze build/graze-mpi data/scenes "$logs/mpi" 100 || failed=1
 
 echo "== Python package"
-{ cmake --preset release -DGRAZE_PYTHON=ON && cmake --build --preset release --target graze_python python_call_cost; } \
+{ cmake --preset release -DGRAZE_PYTHON=ON && cmake --build --preset release --target graze_python; } \
   > "$logs/python_build.log" 2>&1
 GRAZE_LONG=1 /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/python > "$logs/python.log" 2>&1 ||
   { failed=1; tail -n 40 "$logs/python.log"; }
