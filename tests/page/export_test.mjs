@@ -95,16 +95,17 @@ inPage('in the dark the PNG is dark', diagram, async (page) => {
 
 inPage('the CSV of orbits has the curves that are shown', orbits, async (page) => {
   const rows = await csvOf(page);
-  assert.deepEqual(Object.keys(rows[0]).slice(0, 3), ['orbit', 'stability', 'time (forcing periods)']);
-  const [, , , x, v] = Object.keys(rows[0]);
-  assert.match(x, /^displacement towards the stop \(mm\)$/);
-  // The largest displacement is the gap, 10 mm, that of an impact.
-  const most = (list) => list.reduce((largest, row) => Math.max(largest, Number(row[x])), -Infinity);
-  assert.ok(near(most(rows), 10, 1e-6), `${most(rows)}`);
+  const [, , x, v, time, displacement] = Object.keys(rows[0]);
+  assert.deepEqual([x, v, time, displacement], ['towards stop (mm)', 'velocity → stop (m/s)', 'time (ms)', 'displacement → stop (mm)']);
+  // The largest displacement is the gap, 10 mm, that of an impact, in the plane and over time.
+  const most = (name) => rows.reduce((largest, row) => Math.max(largest, row[name] === '' ? -Infinity : Number(row[name])), -Infinity);
+  for (const name of [x, displacement]) assert.ok(near(most(name), 10, 1e-6), `${most(name)}`);
   assert.ok(rows.some((row) => Number(row[v]) < 0));
-  assert.deepEqual([...new Set(rows.map(({ stability }) => stability))], ['stable', 'unstable']);
-  await page.click('#legend button >> nth=0');
-  assert.deepEqual([...new Set((await csvOf(page)).map(({ stability }) => stability))], ['unstable']);
+  const seen = async () => [...new Set((await csvOf(page)).map(({ series }) => series).filter((name) => name.startsWith('orbit')))];
+  const [first, second] = await seen();
+  assert.match(`${first}; ${second}`, /^orbit 1, \(1,1\) stable, v = [\d.]+ m\/s; orbit 2, \(1,1\) unstable, v = [\d.]+ m\/s$/);
+  await page.click(`#legend button[data-type="${first}"]`);
+  assert.deepEqual(await seen(), [second]);
 });
 
 inPage('the CSV of a motion has its samples and impacts', motion, async (page) => {

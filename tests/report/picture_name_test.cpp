@@ -20,7 +20,7 @@ TEST(PictureNames, ScriptsTellACommandThatDrawsThem) {
   const ScratchFolder scratch;
   for (const std::string name :
        {"x", "two words", "-x", "~x", "it's", "$(touch y)", "a;b", "a&b"}) {
-    const ChartSeries line{.look = {.colour = kBlue}, .x = {0.0, 1.0}, .y = {0.0, 1.0}};
+    const ChartSeries line{.title = "", .look = {}, .x = {0.0, 1.0}, .y = {0.0, 1.0}};
     const ChartPanel panel{.x = {}, .y = {}, .series = {line}};
     draw_chart((scratch / (name + ".svg")).string(), RunInfo{}, {"", {{panel}}});
     const std::string text = read_text(scratch / (name + ".gp"));

@@ -5,12 +5,14 @@
 #include "graze/scene/check.hpp"
 #include "graze/scene/detail/document.hpp"
 #include "graze/scene/detail/keys.hpp"
+#include "graze/scene/detail/quantity_text.hpp"
 #include "graze/scene/detail/schema.hpp"
 #include "graze/scene/detail/settings.hpp"
 #include "graze/scene/detail/table_reader.hpp"
 #include "graze/scene/detail/text_file.hpp"
 #include "graze/scene/detail/torque_table.hpp"
 #include "graze/scene/matrix_structure.hpp"
+#include "graze/scene/parameter.hpp"
 #include "graze/scene/suggestion.hpp"
 
 namespace graze {
@@ -53,19 +55,19 @@ class KeyReader : public SchemaVisitor {
   template <class Number>
   void number(const Key& key, Number& value) {
     constexpr bool is_optional = !std::is_same_v<Number, double>;
-    if (is_due(key, is_optional || !key.is_required))
-      value = table_.number(key.name, number_words(key));
+    if (is_due(key, is_optional || !key.is_required)) value = number_of(key, number_words(key));
   }
   // Whether the key holds the word decides which other keys apply.
   void number_or(const Key& key, double& value, bool& is_word, const char* word) {
     const Node* node = table_.find(key.name);
     if (pass_ == Pass::kChoices) {
-      is_word = node != nullptr && node->as<std::string>() != nullptr;
+      const auto* text = node == nullptr ? nullptr : node->as<std::string>();
+      is_word = text != nullptr && !begins_with_number(*text);
     } else if (is_due(key, !key.is_required)) {
       const std::string what = fmt::format("{} or {}", number_words(key), quoted(word));
       table_.required(key.name, what);
       if (!is_word)
-        value = table_.number(key.name, what);
+        value = number_of(key, what);
       else if (*node->as<std::string>() != word)
         table_.refuse(key.name, what);
     }
@@ -75,7 +77,7 @@ class KeyReader : public SchemaVisitor {
     if (!is_due(key, !key.is_required || key.is_filled || !values.empty())) return;
     const std::string what = list_words(key);
     table_.required(key.name, what);
-    values = table_.numbers(key.name, what);
+    values = numbers_of(key, what);
     if (!key.is_required && values.empty())
       table_.fail(key.name, fmt::format("the list is empty, it must have one number{} per mode",
                                         *key.unit ? fmt::format(" in {}", key.unit) : ""));
@@ -84,9 +86,9 @@ class KeyReader : public SchemaVisitor {
   void series(const Key& key, std::vector<double>& values) {
     if (!is_due(key, false)) return;
     if (table_.required(key.name, key.what).as<NodeList>() != nullptr)
-      values = table_.numbers(key.name, key.what);
+      values = numbers_of(key, key.what);
     else
-      values = {table_.number(key.name, key.what)};
+      values = {number_of(key, key.what)};
   }
   void taper(const Key& key, Taper& values) {
     if (!is_due(key, false)) return;
@@ -107,7 +109,7 @@ class KeyReader : public SchemaVisitor {
   void bodies(const Key& key, SpringGeometry& geometry, BodyNumbers which) {
     if (!is_due(key, false)) return;
     table_.required(key.name, key.what);
-    const std::vector<double> numbers = table_.numbers(key.name, key.what);
+    const std::vector<double> numbers = numbers_of(key, key.what);
     if (!set_body_numbers(geometry, which, numbers))
       table_.fail(key.name,
                   fmt::format("the list has {} entries, it must have two, {}", numbers.size(),
@@ -190,6 +192,21 @@ class KeyReader : public SchemaVisitor {
   }
 
  private:
+  // A number may stand with a unit of its own, where the numbers of the scene have units.
+  double number_of(const Key& key, const std::string& what) const {
+    const std::string unit = unit_of(key);
+    return table_.number(key.name, what, is_unit(unit) && has_units() ? unit.c_str() : nullptr);
+  }
+  std::vector<double> numbers_of(const Key& key, const std::string& what) const {
+    const std::string unit = unit_of(key);
+    return table_.numbers(key.name, what, is_unit(unit) && has_units() ? unit.c_str() : nullptr);
+  }
+  bool has_units() const { return reading_.scene.units == Units::kSi; }
+  // That of some keys depends on other keys.
+  std::string unit_of(const Key& key) const {
+    return is_unit(key.unit) ? key.unit : parameter_unit(reading_.scene, table_.path(key.name));
+  }
+
   // Whether the key is to be read now; refuses one that does not apply.
   bool is_due(const Key& key, bool may_lack) const {
     if (pass_ == Pass::kChoices) return false;
@@ -229,6 +246,12 @@ void prepare(const TableReader& table, const Node&, Forcing& forcing, const Scen
 
 void prepare(const TableReader& table, const Node&, Spring& spring, const Scene&) {
   if (table.has("radii") || table.has("moduli") || table.has("poisson")) spring.geometry.emplace();
+  // The unit of the stiffness depends on it.
+  if (const Node* exponent = table.find("exponent")) {
+    if (const auto* real = exponent->as<double>()) spring.exponent = *real;
+    if (const auto* whole = exponent->as<std::int64_t>())
+      spring.exponent = static_cast<double>(*whole);
+  }
 }
 
 void prepare(const TableReader&, const Node&, Initial& initial, const Scene& scene) {

@@ -8,6 +8,7 @@
 #include "graze/fem/dof_label.hpp"
 #include "graze/scene/check.hpp"
 #include "graze/scene/detail/keys.hpp"
+#include "graze/scene/detail/quantity_text.hpp"
 #include "graze/scene/suggestion.hpp"
 
 namespace graze {
@@ -26,8 +27,16 @@ std::string refusal(const Node& node, const std::string& what) {
   return fmt::format("{} is not allowed, it must be {}", node_description(node), what);
 }
 
-// Integers serve as reals.
-std::optional<double> real_value(const Node& node) {
+// Integers serve as reals, and so do quantities in `unit`, if any; nullopt of anything else. Throws
+// about `key` where a quantity is not one of that unit.
+std::optional<double> real_value(const Node& node, const std::string& key, const char* unit) {
+  const auto* text = node.as<std::string>();
+  if (text != nullptr && unit != nullptr && begins_with_number(*text)) {
+    const auto value = quantity_in(*text, unit);
+    if (const auto* why = std::get_if<std::string>(&value))
+      fail_at(node.place, key, fmt::format("{} is not allowed: {}", node_description(node), *why));
+    return std::get<double>(value);
+  }
   if (const auto* real = node.as<double>()) {
     return *real;
   }
@@ -119,8 +128,9 @@ const Node& TableReader::required(const std::string& key, const std::string& wha
   return *node;
 }
 
-double TableReader::number(const std::string& key, const std::string& what) const {
-  const std::optional<double> value = real_value(required(key, what));
+double TableReader::number(const std::string& key, const std::string& what,
+                           const char* unit) const {
+  const std::optional<double> value = real_value(required(key, what), path(key), unit);
   if (!value) {
     refuse(key, what);
   }
@@ -147,7 +157,8 @@ std::string TableReader::text_or(const std::string& key, const std::string& fall
   return *text;
 }
 
-std::vector<double> TableReader::numbers(const std::string& key, const std::string& what) const {
+std::vector<double> TableReader::numbers(const std::string& key, const std::string& what,
+                                         const char* unit) const {
   std::vector<double> values;
   const Node* node = find(key);
   if (node == nullptr) {
@@ -159,10 +170,10 @@ std::vector<double> TableReader::numbers(const std::string& key, const std::stri
   }
   values.reserve(list->size());
   for (const Node& entry : *list) {
-    const std::optional<double> value = real_value(entry);
+    const std::string entry_key = key_path(path(key), std::to_string(values.size() + 1));
+    const std::optional<double> value = real_value(entry, entry_key, unit);
     if (!value) {
-      fail_at(entry.place, key_path(path(key), std::to_string(values.size() + 1)),
-              refusal(entry, "a number"));
+      fail_at(entry.place, entry_key, refusal(entry, "a number"));
     }
     values.push_back(*value);
   }

@@ -28,7 +28,7 @@ enum class MarkShape { kNone, kDot, kCircle, kSquare, kDiamond, kUp, kDown, kPen
 struct Look {
   std::string id = {};     // "stable", "LP", "clear"
   std::string title = {};  // of the legend: "fold (LP)"
-  std::string colour = {};
+  std::string colour = kBlue;
   // Lengths of strokes and of the gaps behind them, in widths of the line; empty: solid.
   std::vector<int> dashes = {};
   double width = 1.8;  // of the line, points

@@ -14,7 +14,7 @@ namespace graze {
 namespace {
 
 constexpr std::size_t kMostOrbits = 8;
-constexpr int kChartSamplesPerPeriod = 400;
+constexpr int kChartSamplesPerPeriod = 400, kExploredSamplesPerPeriod = 2000;
 
 using Flights = std::vector<std::vector<CurveSample>>;
 
@@ -40,24 +40,37 @@ std::string heading_of(const Orbit& orbit, Units units) {
                             fastest < 0.0 ? "−" : "", std::abs(fastest), unit_behind(units, "m/s"));
 }
 
+// How an orbit is drawn: `thing` is its index among those of a page, -1 of a picture.
+struct DrawnOrbit {
+  Look look;
+  std::string title;  // of its curve
+  int samples = kChartSamplesPerPeriod;
+  int thing = -1;
+};
+
+DrawnOrbit in_picture(const Orbit& orbit) {
+  DrawnOrbit drawn{line_look(orbit), line_look(orbit).title};
+  drawn.look.width = 1.5;
+  return drawn;
+}
+
 // One row of panels of an orbit: its motion over time, and its phase portrait.
 class OrbitRow {
  public:
   // `end`: of the axis of time, s.
   OrbitRow(const System& system, const Orbit& orbit, const SeenPlace& place, double end,
-           Units units)
+           Units units, DrawnOrbit drawn)
       : orbit_(orbit),
         frequency_(system.forcing()->frequency),
         whole_(kTurn * orbit.period),
-        look_(line_look(orbit)) {
-    look_.width = 1.5;
+        drawn_(std::move(drawn)) {
     const bool has_stop = !place.stops.empty();
     const std::string unit = unit_in(units, has_stop ? "m" : "kg^1/2 m");
     const std::string speed_unit = unit_in(units, has_stop ? "m/s" : "kg^1/2 m/s");
     const std::string stop = system.stops.size() > 1 && has_stop
                                  ? fmt::format("stop {}", place.stops.front().index + 1)
                                  : "stop";
-    const std::string where = has_stop ? " → " + stop : " q_1";
+    const std::string where = has_stop ? "→ " + stop : "q_1";
     motion_ = {{.name = "time", .unit = unit_in(units, "s")},
                {.name = "displacement\n" + where, .unit = unit}};
     motion_.x.range = {0.0, end};
@@ -66,11 +79,14 @@ class OrbitRow {
     motion_.height = portrait_.height = 3.0;
     motion_.heading = heading_of(orbit, units);
     portrait_.levels = {0.0};
-    flights_ = orbit_curve(system, orbit, place.row, kChartSamplesPerPeriod);
+    flights_ = orbit_curve(system, orbit, place.row, drawn_.samples);
     add_curves();
     add_impacts();
     add_stuck();
     for (const SeenStop& seen : place.stops) add_stop(seen);
+    if (drawn_.thing < 0) return;
+    for (ChartPanel* panel : {&motion_, &portrait_})
+      for (ChartSeries& series : panel->series) series.of.assign(series.x.size(), drawn_.thing);
   }
 
   std::vector<ChartPanel> panels() const { return {motion_, portrait_}; }
@@ -78,7 +94,7 @@ class OrbitRow {
  private:
   // A curve that was cut at the end of the orbit's last period continues at its start.
   void add_curves() {
-    ChartSeries course{look_.title, look_, true, false, {}, {}};
+    ChartSeries course{drawn_.title, drawn_.look, true, false, {}, {}};
     ChartSeries portrait = course;
     const double gap = std::numeric_limits<double>::quiet_NaN();
     for (const double shift : {whole_, 0.0}) {
@@ -105,11 +121,16 @@ class OrbitRow {
   // The flight that ends at an impact is joined, across the jump of its velocity, with the next.
   void add_impacts() {
     if (orbit_.impacts.empty()) return;
-    ChartSeries marks{"impact", {.colour = kVermillion, .mark = MarkShape::kDot, .size = 0.55},
-                      false,    true,
-                      {},       {}};
-    ChartSeries jumps{"", {.colour = look_.colour, .dashes = {3, 4}, .width = 1.0}, true, false, {},
-                      {}};
+    // On a page the colours are those of the orbits.
+    ChartSeries marks{
+        "impact",
+        {.colour = drawn_.thing < 0 ? kVermillion : kBlack, .mark = MarkShape::kDot, .size = 0.55},
+        false,
+        true,
+        {},
+        {}};
+    ChartSeries jumps{
+        "", {.colour = drawn_.look.colour, .dashes = {3, 4}, .width = 1.0}, true, false, {}, {}};
     ChartSeries approaches = marks;
     for (std::size_t k = 0; k < flights_.size(); ++k) {
       const CurveSample &before = flights_[k].back(),
@@ -152,7 +173,7 @@ class OrbitRow {
 
   const Orbit& orbit_;
   double frequency_, whole_;
-  Look look_;
+  DrawnOrbit drawn_;
   Flights flights_;
   ChartPanel motion_, portrait_;
 };
@@ -177,21 +198,23 @@ void set_ranges(Chart& chart, const std::vector<SeenStop>& stops) {
   }
 }
 
-}  // namespace
+Chart without_orbits(const OrbitRecord& record) {
+  ChartPanel none{{.name = "time", .unit = unit_in(record.info.units, "s")},
+                  {.name = "displacement", .unit = unit_in(record.info.units, "m")}};
+  none.remark = "no orbit was found";
+  return {"Periodic orbits", {{none}}};
+}
 
-Chart chart_of(const OrbitRecord& record) {
-  Chart chart{"Periodic orbits", {}};
+// The place of the first impact among the first `count` orbits, s of their longest period.
+struct OrbitsSeen {
+  SeenPlace place;
+  double end = 0.0;
+};
+
+OrbitsSeen orbits_seen(const OrbitRecord& record, std::size_t count) {
   const std::vector<Orbit>& orbits = record.found.orbits;
-  const std::size_t shown = std::min(orbits.size(), kMostOrbits);
-  if (shown == 0) {
-    ChartPanel none{{.name = "time", .unit = unit_in(record.info.units, "s")},
-                    {.name = "displacement", .unit = unit_in(record.info.units, "m")}};
-    none.remark = "no orbit was found";
-    chart.rows = {{none}};
-    return chart;
-  }
   int stop = 0, periods = 1;
-  for (std::size_t i = shown; i-- > 0;) {
+  for (std::size_t i = count; i-- > 0;) {
     if (!orbits[i].impacts.empty()) stop = orbits[i].impacts.front().stop;
     periods = std::max(periods, orbits[i].period);
   }
@@ -200,15 +223,59 @@ Chart chart_of(const OrbitRecord& record) {
     return std::any_of(any.stops.begin(), any.stops.end(),
                        [&](const SeenStop& seen) { return seen.index == stop; });
   });
-  const SeenPlace& place = at_stop == places.end() ? places.front() : *at_stop;
+  return {at_stop == places.end() ? places.front() : *at_stop,
+          periods * kTurn / record.system.forcing()->frequency};
+}
+
+}  // namespace
+
+Chart chart_of(const OrbitRecord& record) {
+  const std::vector<Orbit>& orbits = record.found.orbits;
+  const std::size_t shown = std::min(orbits.size(), kMostOrbits);
+  if (shown == 0) return without_orbits(record);
+  Chart chart{"Periodic orbits", {}};
+  const OrbitsSeen seen = orbits_seen(record, shown);
   for (std::size_t i = 0; i < shown; ++i)
-    chart.rows.push_back(OrbitRow(record.system, orbits[i], place,
-                                  periods * kTurn / record.system.forcing()->frequency,
-                                  record.info.units)
+    chart.rows.push_back(OrbitRow(record.system, orbits[i], seen.place, seen.end, record.info.units,
+                                  in_picture(orbits[i]))
                              .panels());
   if (shown < orbits.size())
     chart.rows.front()[1].heading = fmt::format("the first {} of {} orbits", shown, orbits.size());
-  set_ranges(chart, place.stops);
+  set_ranges(chart, seen.place.stops);
+  return chart;
+}
+
+Chart explored_chart(const OrbitRecord& record) {
+  const std::vector<Orbit>& orbits = record.found.orbits;
+  if (orbits.empty()) return without_orbits(record);
+  const OrbitsSeen seen = orbits_seen(record, orbits.size());
+  Chart all{"Periodic orbits", {}};
+  ChartThings things;
+  for (std::size_t i = 0; i < orbits.size(); ++i) {
+    const std::string of = fmt::format("orbit {}", i + 1);
+    DrawnOrbit drawn{line_look(orbits[i]), of + ", " + heading_of(orbits[i], record.info.units),
+                     kExploredSamplesPerPeriod, static_cast<int>(i)};
+    drawn.look.colour = curve_colours()[i % curve_colours().size()];
+    things.kinds.push_back({drawn.title, of, ""});
+    things.kind.push_back(static_cast<int>(i));
+    all.rows.push_back(OrbitRow(record.system, orbits[i], seen.place, seen.end, record.info.units,
+                                std::move(drawn))
+                           .panels());
+  }
+  set_ranges(all, seen.place.stops);
+  // All orbits in one phase plane, and below it over one axis of time.
+  ChartPanel portrait = all.rows.front()[1], motion = all.rows.front()[0];
+  for (std::size_t i = 1; i < all.rows.size(); ++i) {
+    const std::vector<ChartPanel>& row = all.rows[i];
+    motion.series.insert(motion.series.end(), row[0].series.begin(), row[0].series.end());
+    portrait.series.insert(portrait.series.end(), row[1].series.begin(), row[1].series.end());
+  }
+  if (orbits.size() > 1)
+    std::erase_if(motion.fills, [](const ChartFill& fill) { return !fill.is_upright; });
+  portrait.height = 6.0;
+  motion.heading = "";
+  Chart chart{all.title, {{portrait}, {motion}}};
+  chart.things = std::move(things);
   return chart;
 }
 

@@ -12,6 +12,9 @@ namespace graze {
 // impact over the orbit's periods, its impacts marked and its stuck phases shaded, and the phase
 // portrait.
 Chart chart_of(const OrbitRecord& record);
+// The same for a page: all orbits in one phase plane, and below it over time. Its things are the
+// orbits.
+Chart explored_chart(const OrbitRecord& record);
 
 // Measured values as dots, with the fitted model as a line, a panel for each series; below each the
 // residuals, with bars of their uncertainties if these are known.

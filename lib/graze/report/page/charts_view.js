@@ -281,7 +281,8 @@ export class ChartsView {
       this.mark(thing);
       return openCell(this.panel, this.cells, this.view.cells, this.orbits, thing);
     }
-    return this.panel.open(this.orbits.get(things.orbitOf(thing)), things.valueOf(things.parameter, thing));
+    const { parameter } = things;
+    return this.panel.open(this.orbits.get(things.orbitOf(thing)), parameter ? things.valueOf(parameter, thing) : null);
   }
 
   key(event) {

@@ -1,8 +1,6 @@
 // A result of Graze as a page: a picture to look into, and what is behind its points.
 import { ChartsView } from './charts_view.js';
 import { Orbits, readView } from './data.js';
-import { OrbitPanel } from './orbit_panel.js';
-import { OrbitsView } from './orbits_view.js';
 import { RunView } from './run_view.js';
 import { fillTables } from './tables.js';
 import { Theme } from './theme.js';
@@ -19,17 +17,11 @@ function fillHead(view) {
     `Graze ${graze.version} · drawn with Apache ECharts (Apache License 2.0), which is in this page; nothing is fetched.`;
 }
 
-// What opens a part of the picture from the tables: orbits, or things of a chart.
+// What opens a thing of the chart from the tables.
 function startPicture(view, orbits, theme) {
   if (view.kind === 'run') return new RunView(view, theme);
-  if (view.kind === 'chart') {
-    const chart = new ChartsView(view, orbits, theme);
-    return (thing) => chart.openThing(thing);
-  }
-  const panel = new OrbitPanel(view, theme, () => window.dispatchEvent(new Event('resize')));
-  const openOrbit = (index) => panel.open(orbits.get(index));
-  new OrbitsView(view, orbits, theme, openOrbit);
-  return openOrbit;
+  const chart = new ChartsView(view, orbits, theme);
+  return (thing) => chart.openThing(thing);
 }
 
 function start() {
@@ -37,7 +29,7 @@ function start() {
   const orbits = new Orbits();
   const theme = new Theme(document.getElementById('theme'));
   fillHead(view);
-  fillTables(document.getElementById('tables'), view, orbits, startPicture(view, orbits, theme));
+  fillTables(document.getElementById('tables'), view, startPicture(view, orbits, theme));
   document.documentElement.dataset.ready = 'true';
   requestAnimationFrame(() => requestAnimationFrame(() => performance.mark('drawn')));
 }

@@ -51,7 +51,7 @@ function extent(values, ...more) {
 }
 
 // Which way what is shown of a place counts: " towards stop 2", or nothing where there is no stop.
-export function towards({ stops, name }) {
+function towards({ stops, name }) {
   if (stops.length === 0) return '';
   return ` towards ${stops.length > 1 ? `stop ${stops[0].index}` : name}`;
 }
@@ -113,7 +113,7 @@ export function seriesOption(orbit, seen, inks) {
 }
 
 // The jumps of the velocity at impacts, each from one point of the phase plane to another.
-export function jumpsOf(orbit, place) {
+function jumpsOf(orbit, place) {
   const jumps = [];
   const list = pieces(place);
   list.forEach((piece, k) => {

@@ -1,6 +1,5 @@
-// Below the picture: special points or orbits as a table that keys reach too, what the run said, and
-// what made it.
-import { element, measure, table } from './format.js';
+// Below the picture: tables that keys reach too, what the run said, and what made it.
+import { element, table } from './format.js';
 
 function folded(title, open, ...content) {
   const details = element('details', open ? { open: '' } : {}, element('summary', {}, title), ...content);
@@ -11,15 +10,6 @@ function opener(text, open) {
   return element('button', { type: 'button', onclick: open }, text);
 }
 
-function orbitTable(view, orbits, openOrbit) {
-  const rows = Array.from({ length: orbits.count }, (_, i) => {
-    const orbit = orbits.get(i);
-    const fastest = Math.max(...orbit.impacts.map((impact) => impact.speed));
-    return [opener(orbit.name, () => openOrbit(i)), orbit.stability, String(orbit.impacts.length), orbit.impacts.length > 0 ? measure(orbit.speed, fastest) : '–'];
-  });
-  return table([['orbit', '', 'impacts', 'fastest'], ...rows]);
-}
-
 function madeBy(head, made) {
   const { graze } = head;
   const rows = Object.entries(graze.options).map(([name, value]) => [name, String(value)]);
@@ -27,10 +17,9 @@ function madeBy(head, made) {
     table([['option', 'value'], ...rows, ['scene', graze.scene], ['SHA-256 of the scene in force', graze.scene_sha256]]));
 }
 
-// `open` shows an orbit of the page, or a thing of a chart.
-export function fillTables(root, view, orbits, open) {
+// `open` shows a thing of the chart.
+export function fillTables(root, view, open) {
   const parts = [];
-  if (view.kind === 'orbits' && orbits.count > 0) parts.push(orbitTable(view, orbits, open));
   for (const { name, columns, rows, opens } of view.tables ?? [])
     parts.push(folded(name, rows.length <= 12, table([columns, ...rows.map(([first, ...cells], i) => [
       opens[i] >= 0 ? opener(first, () => open(opens[i])) : first, ...cells])])));
