@@ -113,6 +113,23 @@ TEST(MotionSeen, GathersTheStopsOfAPlaceOnBothSides) {
   EXPECT_TRUE(seen.places[1].impacts.empty());
 }
 
+// Renderers draw a fill from one end of the axis to the other where its ends are infinite.
+TEST(MotionChart, ShadesWhatLiesBehindTheStopsOfBothSides) {
+  SimulationRecord record = record_of(0, 2, {0.0}, {});
+  record.system.stops.push_back({-Vector::Ones(1), 0.25, ImpactLaw{-Vector::Ones(1), 0.5}});
+  int shaded = 0;
+  for (const std::vector<ChartPanel>& row : motion_chart(record).rows)
+    for (const ChartPanel& panel : row)
+      for (const ChartFill& fill : panel.fills) {
+        if (fill.title != "behind the stop") continue;
+        ++shaded;
+        EXPECT_LT(fill.from, fill.to);
+        EXPECT_FALSE(fill.from < -0.1 && -0.1 < fill.to);  // between the stops at 0 and -0.25
+        EXPECT_TRUE(std::isinf(fill.from) != std::isinf(fill.to));
+      }
+  EXPECT_GE(shaded, 2);
+}
+
 TEST(MotionSeen, BreaksTheForceWhereTheStopOpens) {
   SimulationRecord record = record_of(
       0, 3, {0.0}, {event_of(EventKind::kStick, 0.5), event_of(EventKind::kRelease, 1.5)});

@@ -65,8 +65,8 @@ struct ChartCells {
   std::vector<std::string> colours = {};  // of the bar, at equal steps from its low end
 };
 
-// A filled part of the panel, between two values of x over the whole height, or likewise of y;
-// beyond the axes where infinite.
+// A filled part of the panel, from one value of x to a larger one over the whole height, or
+// likewise of y; to the ends of the axes where they are infinite.
 struct ChartFill {
   bool is_upright = false;  // across: between values of y
   double from = 0.0, to = 0.0;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "graze/record/names/plane_names.hpp"
 #include "graze/record/study_records.hpp"
@@ -47,8 +46,7 @@ void add_stops(const std::vector<MotionSeen>& seen, ChartPanel& panel) {
   const auto is_near = [&](const SeenStop& stop) { return std::abs(stop.place) <= 1.5 * largest; };
   for (const SeenStop& stop : own)
     if (is_near(stop)) {
-      panel.fills.push_back({true, stop.place, stop.sense * std::numeric_limits<double>::infinity(),
-                             "behind the stop", kStopShade});
+      panel.fills.push_back(behind(stop, true));
       panel.levels.push_back(stop.place);
     }
   for (const SeenStop& stop : seen.back().places.front().stops)

@@ -166,9 +166,8 @@ class OrbitRow {
   }
 
   void add_stop(const SeenStop& stop) {
-    const double beyond = stop.sense * std::numeric_limits<double>::infinity();
-    motion_.fills.push_back({true, stop.place, beyond, "behind the stop", kStopShade});
-    portrait_.fills.push_back({false, stop.place, beyond, "behind the stop", kStopShade});
+    motion_.fills.push_back(behind(stop, true));
+    portrait_.fills.push_back(behind(stop, false));
   }
 
   const Orbit& orbit_;
@@ -274,7 +273,7 @@ Chart explored_chart(const OrbitRecord& record) {
     std::erase_if(motion.fills, [](const ChartFill& fill) { return !fill.is_upright; });
   portrait.height = 6.0;
   motion.heading = "";
-  Chart chart{all.title, {{portrait}, {motion}}};
+  Chart chart{all.title, {{portrait}, {motion}}, {"impact", "behind the stop"}};
   chart.things = std::move(things);
   return chart;
 }

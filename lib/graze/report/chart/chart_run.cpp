@@ -118,9 +118,7 @@ class RunChart {
         continue;
       }
       range.include(stop.place);
-      panel.fills.push_back({is_upright, stop.place,
-                             stop.sense * std::numeric_limits<double>::infinity(),
-                             "behind the stop", kStopShade});
+      panel.fills.push_back(behind(stop, is_upright));
       if (is_upright && several_stops()) name_along(stop, panel);
     }
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <optional>
 
 #include "graze/report/appearance/looks.hpp"
@@ -191,6 +192,12 @@ std::vector<SeenProbe> probes_seen(const SamplesSeen& samples,
 }
 
 }  // namespace
+
+ChartFill behind(const SeenStop& stop, bool is_upright) {
+  constexpr double kEnd = std::numeric_limits<double>::infinity();
+  return {is_upright, stop.sense > 0.0 ? stop.place : -kEnd, stop.sense > 0.0 ? kEnd : stop.place,
+          "behind the stop", kStopShade};
+}
 
 bool is_near(const SeenStop& stop, const AxisRange& motion) {
   if (motion.empty()) return true;

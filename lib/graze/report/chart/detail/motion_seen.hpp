@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "graze/record/records.hpp"
+#include "graze/report/chart/chart.hpp"
 #include "graze/report/chart/detail/drawn_curve.hpp"
 
 namespace graze {
@@ -25,6 +26,9 @@ struct SeenStop {
 // Whether it is near the range of the motion; otherwise axes that show both would flatten the
 // motion.
 bool is_near(const SeenStop& stop, const AxisRange& motion);
+
+// What lies behind it; `is_upright`: displacements are on the axis of y.
+ChartFill behind(const SeenStop& stop, bool is_upright);
 
 struct SeenImpact {
   double time = 0.0, place = 0.0;    // s, m
