@@ -185,7 +185,7 @@ std::variant<double, std::string> quantity_in(const std::string& text, const std
   while (rest.starts_with(' ')) rest.remove_prefix(1);
   while (rest.ends_with(' ')) rest.remove_suffix(1);
   if (rest.empty())
-    return unit.empty() ? std::string("a pure number stands without quotation marks")
+    return unit.empty() ? std::string()
                         : fmt::format("it has no unit, write \"{} {}\"", text, unit);
   const auto given = size_of(rest), wanted = size_of(unit);
   if (const auto* why = std::get_if<std::string>(&given)) return *why;

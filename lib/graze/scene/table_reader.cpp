@@ -33,8 +33,10 @@ std::optional<double> real_value(const Node& node, const std::string& key, const
   const auto* text = node.as<std::string>();
   if (text != nullptr && unit != nullptr && begins_with_number(*text)) {
     const auto value = quantity_in(*text, unit);
-    if (const auto* why = std::get_if<std::string>(&value))
+    if (const auto* why = std::get_if<std::string>(&value)) {
+      if (why->empty()) return std::nullopt;
       fail_at(node.place, key, fmt::format("{} is not allowed: {}", node_description(node), *why));
+    }
     return std::get<double>(value);
   }
   if (const auto* real = node.as<double>()) {

@@ -13,7 +13,8 @@ bool begins_with_number(std::string_view text);
 // Whether it is a product of units that this table has: "N s/m^2"; "" of a pure number, too.
 bool is_unit(std::string_view text);
 
-// The number of a quantity in `unit`, or a sentence that says why there is none.
+// The number of a quantity in `unit`, or a sentence that says why there is none;
+// an empty one where it is a pure number, which should not be a text.
 std::variant<double, std::string> quantity_in(const std::string& text, const std::string& unit);
 
 }  // namespace graze
