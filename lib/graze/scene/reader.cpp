@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "graze/scene/check.hpp"
 #include "graze/scene/detail/document.hpp"
 #include "graze/scene/detail/keys.hpp"
@@ -55,7 +57,8 @@ class KeyReader : public SchemaVisitor {
   template <class Number>
   void number(const Key& key, Number& value) {
     constexpr bool is_optional = !std::is_same_v<Number, double>;
-    if (is_due(key, is_optional || !key.is_required)) value = number_of(key, number_words(key));
+    if (is_due(key, is_optional || !key.is_required))
+      value = table_.number(key.name, number_words(key), unit_of(key));
   }
   // Whether the key holds the word decides which other keys apply.
   void number_or(const Key& key, double& value, bool& is_word, const char* word) {
@@ -67,7 +70,7 @@ class KeyReader : public SchemaVisitor {
       const std::string what = fmt::format("{} or {}", number_words(key), quoted(word));
       table_.required(key.name, what);
       if (!is_word)
-        value = number_of(key, what);
+        value = table_.number(key.name, what, unit_of(key));
       else if (*node->as<std::string>() != word)
         table_.refuse(key.name, what);
     }
@@ -77,7 +80,7 @@ class KeyReader : public SchemaVisitor {
     if (!is_due(key, !key.is_required || key.is_filled || !values.empty())) return;
     const std::string what = list_words(key);
     table_.required(key.name, what);
-    values = numbers_of(key, what);
+    values = table_.numbers(key.name, what, unit_of(key));
     if (!key.is_required && values.empty())
       table_.fail(key.name, fmt::format("the list is empty, it must have one number{} per mode",
                                         *key.unit ? fmt::format(" in {}", key.unit) : ""));
@@ -86,9 +89,9 @@ class KeyReader : public SchemaVisitor {
   void series(const Key& key, std::vector<double>& values) {
     if (!is_due(key, false)) return;
     if (table_.required(key.name, key.what).as<NodeList>() != nullptr)
-      values = numbers_of(key, key.what);
+      values = table_.numbers(key.name, key.what, unit_of(key));
     else
-      values = {number_of(key, key.what)};
+      values = {table_.number(key.name, key.what, unit_of(key))};
   }
   void taper(const Key& key, Taper& values) {
     if (!is_due(key, false)) return;
@@ -109,7 +112,7 @@ class KeyReader : public SchemaVisitor {
   void bodies(const Key& key, SpringGeometry& geometry, BodyNumbers which) {
     if (!is_due(key, false)) return;
     table_.required(key.name, key.what);
-    const std::vector<double> numbers = numbers_of(key, key.what);
+    const std::vector<double> numbers = table_.numbers(key.name, key.what, unit_of(key));
     if (!set_body_numbers(geometry, which, numbers))
       table_.fail(key.name,
                   fmt::format("the list has {} entries, it must have two, {}", numbers.size(),
@@ -192,19 +195,19 @@ class KeyReader : public SchemaVisitor {
   }
 
  private:
-  // A number may stand with a unit of its own, where the numbers of the scene have units.
-  double number_of(const Key& key, const std::string& what) const {
-    const std::string unit = unit_of(key);
-    return table_.number(key.name, what, is_unit(unit) && has_units() ? unit.c_str() : nullptr);
+  // The unit of its numbers where one is written with a unit of its own, which few are; nullopt
+  // where none is, or none can be. That of some keys depends on other keys.
+  std::optional<std::string> unit_of(const Key& key) const {
+    const Node* node = table_.find(key.name);
+    if (node == nullptr || !holds_text(*node) || reading_.scene.units == Units::kNone) return {};
+    const std::string unit =
+        is_unit(key.unit) ? key.unit : parameter_unit(reading_.scene, table_.path(key.name));
+    return is_unit(unit) ? std::optional(unit) : std::nullopt;
   }
-  std::vector<double> numbers_of(const Key& key, const std::string& what) const {
-    const std::string unit = unit_of(key);
-    return table_.numbers(key.name, what, is_unit(unit) && has_units() ? unit.c_str() : nullptr);
-  }
-  bool has_units() const { return reading_.scene.units == Units::kSi; }
-  // That of some keys depends on other keys.
-  std::string unit_of(const Key& key) const {
-    return is_unit(key.unit) ? key.unit : parameter_unit(reading_.scene, table_.path(key.name));
+  static bool holds_text(const Node& node) {
+    const auto* list = node.as<NodeList>();
+    return list != nullptr ? std::any_of(list->begin(), list->end(), holds_text)
+                           : node.as<std::string>() != nullptr;
   }
 
   // Whether the key is to be read now; refuses one that does not apply.

@@ -28,14 +28,16 @@ std::string refusal(const Node& node, const std::string& what) {
 }
 
 // Integers serve as reals, and so do quantities in `unit`, if any; nullopt of anything else. Throws
-// about `key` where a quantity is not one of that unit.
-std::optional<double> real_value(const Node& node, const std::string& key, const char* unit) {
+// about `key()` where a quantity is not one of that unit.
+std::optional<double> real_value(const Node& node, const std::optional<std::string>& unit,
+                                 const auto& key) {
   const auto* text = node.as<std::string>();
-  if (text != nullptr && unit != nullptr && begins_with_number(*text)) {
-    const auto value = quantity_in(*text, unit);
+  if (text != nullptr && unit && begins_with_number(*text)) {
+    const auto value = quantity_in(*text, *unit);
     if (const auto* why = std::get_if<std::string>(&value)) {
       if (why->empty()) return std::nullopt;
-      fail_at(node.place, key, fmt::format("{} is not allowed: {}", node_description(node), *why));
+      fail_at(node.place, key(),
+              fmt::format("{} is not allowed: {}", node_description(node), *why));
     }
     return std::get<double>(value);
   }
@@ -131,8 +133,9 @@ const Node& TableReader::required(const std::string& key, const std::string& wha
 }
 
 double TableReader::number(const std::string& key, const std::string& what,
-                           const char* unit) const {
-  const std::optional<double> value = real_value(required(key, what), path(key), unit);
+                           const std::optional<std::string>& unit) const {
+  const std::optional<double> value =
+      real_value(required(key, what), unit, [&] { return path(key); });
   if (!value) {
     refuse(key, what);
   }
@@ -160,7 +163,7 @@ std::string TableReader::text_or(const std::string& key, const std::string& fall
 }
 
 std::vector<double> TableReader::numbers(const std::string& key, const std::string& what,
-                                         const char* unit) const {
+                                         const std::optional<std::string>& unit) const {
   std::vector<double> values;
   const Node* node = find(key);
   if (node == nullptr) {
@@ -172,10 +175,10 @@ std::vector<double> TableReader::numbers(const std::string& key, const std::stri
   }
   values.reserve(list->size());
   for (const Node& entry : *list) {
-    const std::string entry_key = key_path(path(key), std::to_string(values.size() + 1));
-    const std::optional<double> value = real_value(entry, entry_key, unit);
+    const auto entry_key = [&] { return key_path(path(key), std::to_string(values.size() + 1)); };
+    const std::optional<double> value = real_value(entry, unit, entry_key);
     if (!value) {
-      fail_at(entry.place, entry_key, refusal(entry, "a number"));
+      fail_at(entry.place, entry_key(), refusal(entry, "a number"));
     }
     values.push_back(*value);
   }

@@ -12,14 +12,10 @@ template <>
 SingularValues<double> singular_values(const Matrix& matrix) {
   constexpr Eigen::Index kSmall = 32;
   const Eigen::Index n = matrix.cols();
-  const Matrix start = n <= kSmall
-                           ? Matrix(Matrix::Identity(n, n))
-                           : Matrix(symmetric_modes(transposed_product<double>(matrix, matrix))
-                                        .vectors.rowwise()
-                                        .reverse());
-  dense_columns::OrthogonalColumns<double> columns(product<double>(matrix, start), start);
-  columns.sweep_until_orthogonal();
-  return columns.in_order();
+  if (n <= kSmall) return dense_columns::by_rotations<double>(matrix, Matrix::Identity(n, n));
+  const Matrix start =
+      symmetric_modes(transposed_product<double>(matrix, matrix)).vectors.rowwise().reverse();
+  return dense_columns::by_rotations<double>(product<double>(matrix, start), start);
 }
 
 SingularValues<double> right_singular_vectors(const Matrix& matrix) {

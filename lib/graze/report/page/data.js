@@ -37,8 +37,4 @@ export class Orbits {
     this.list ??= JSON.parse(document.getElementById('orbits').textContent);
     return unpacked(this.list[index]);
   }
-  get count() {
-    this.list ??= JSON.parse(document.getElementById('orbits').textContent);
-    return this.list.length;
-  }
 }

@@ -31,9 +31,10 @@ class TableReader {
   // The key's value. `what` is what it must be, as in "a number in m".
   const Node& required(const std::string& key, const std::string& what) const;
 
-  // `unit`: in which the number is wanted where it is given with one of its own, "1.05 mm"; null:
-  // it cannot be.
-  double number(const std::string& key, const std::string& what, const char* unit = nullptr) const;
+  // `unit`: in which the number is wanted where it is given with one of its own, "1.05 mm";
+  // nullopt: it cannot be.
+  double number(const std::string& key, const std::string& what,
+                const std::optional<std::string>& unit = {}) const;
   std::int64_t integer(const std::string& key, const std::string& what) const;
   bool flag_or(const std::string& key, bool fallback) const;
   std::string text_or(const std::string& key, const std::string& fallback) const;
@@ -42,7 +43,7 @@ class TableReader {
   std::vector<std::string> labels(const std::string& key) const;
   // The list of numbers, with `unit` as above; empty when the key is missing.
   std::vector<double> numbers(const std::string& key, const std::string& what,
-                              const char* unit = nullptr) const;
+                              const std::optional<std::string>& unit = {}) const;
 
   // Which of the names each of `count` words in a list is.
   std::vector<std::size_t> words(const std::string& key, const std::vector<std::string>& names,

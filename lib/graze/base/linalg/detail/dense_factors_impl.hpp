@@ -86,6 +86,13 @@ class OrthogonalColumns {
   Real rounding_;
 };
 
+template <class Real>
+SingularValues<Real> by_rotations(RealMatrix<Real> columns, RealMatrix<Real> v) {
+  OrthogonalColumns<Real> orthogonal(std::move(columns), std::move(v));
+  orthogonal.sweep_until_orthogonal();
+  return orthogonal.in_order();
+}
+
 // x less tau v (v^T x) for the columns `from` on, v_k = 0 above row `row`.
 template <class Real>
 void reflect(RealMatrix<Real>& a, Eigen::Index from, const RealMatrix<Real>& v, Eigen::Index row,
@@ -160,10 +167,8 @@ RealMatrix<Real> PivotedLu<Real>::inverse() const {
 
 template <class Real>
 SingularValues<Real> singular_values(const RealMatrix<Real>& matrix) {
-  dense_columns::OrthogonalColumns<Real> columns(
+  return dense_columns::by_rotations<Real>(
       matrix, RealMatrix<Real>::Identity(matrix.cols(), matrix.cols()));
-  columns.sweep_until_orthogonal();
-  return columns.in_order();
 }
 
 template <class Real>
