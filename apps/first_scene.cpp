@@ -73,6 +73,52 @@ q = [0.0]                  # modal displacements
 qdot = [0.0]               # and velocities
 )toml";
 
+constexpr const char* kLumped =
+    R"toml(# Masses and springs in a line: here a ball in the slot of a frame that is shaken. Any number of masses;
+# all masses, stiffnesses and dashpots may be varied. SI units; a quantity with a unit of its own is a
+# text, "0.25 kg", "1.2 kN/m", "3.1 Hz".
+#
+#   graze check FILE                      what of this is simulated
+#   graze orbit FILE                      periodic orbits, stable or not
+#   graze continue FILE --parameter 'stop.*.gap' --from 0.02 --to 0.06 --impacts 2
+title = "Frame with an impact damper"
+
+[lumped]
+masses = [2.0, 0.25]       # kg
+names = ["frame", "ball"]  # by which all below may call them, or by their numbers 1, 2, ..
+
+[[lumped.spring]]          # as many as there are
+between = ["ground", "frame"]
+stiffness = 800.0          # N/m
+damping = 2.0              # N s/m, of a dashpot beside it
+
+[forcing]                  # amplitude cos(frequency t + phase) on one mass; kind = "base" shakes the ground
+mass = "frame"
+amplitude = 4.0            # N
+frequency_hz = 3.1
+
+# [[load]]                 # constant forces
+# mass = "frame"
+# force = 3.0              # N
+
+[[stop]]                   # that a mass meets: on the ground, or on another mass
+mass = "ball"
+against = "frame"
+gap = 0.04                 # m
+restitution = 0.7          # speed after an impact over that before it; or a table [stop.spring]
+
+[[stop]]
+mass = "ball"
+against = "frame"
+gap = 0.04
+side = "below"
+restitution = 0.7
+
+[initial]                  # without it the motion starts at rest
+displacement = [0.0, 0.0]  # m, one for each mass
+velocity = [0.1, 0.0]      # m/s
+)toml";
+
 constexpr const char* kMatrices =
     R"toml(# A structure by mass and stiffness of a finite-element program: files of Matrix Market, Abaqus,
 # CalculiX, NumPy, SciPy or Nastran (DMIG). Paths count from the folder of this file. Those named here
@@ -146,9 +192,12 @@ quantity = "deflection"    # of the beam from the turning line
 
 }  // namespace
 
-std::vector<std::string> first_scene_kinds() { return {"beam", "oscillator", "matrices", "hub"}; }
+std::vector<std::string> first_scene_kinds() {
+  return {"beam", "lumped", "oscillator", "matrices", "hub"};
+}
 
 std::string first_scene(const std::string& kind, const std::string& matrices_folder) {
+  if (kind == "lumped") return kLumped;
   if (kind == "oscillator") return kOscillator;
   if (kind == "matrices") return fmt::format(kMatrices, matrices_folder);
   return kind == "hub" ? kHub : kBeam;

@@ -50,7 +50,7 @@ TEST(Shell, WhatCannotBePrintedExitsWith4) {
 
 // Every scene is whole: it passes the check, and the listed_commands it names run.
 TEST(Shell, InitWritesScenesThatPassTheCheck) {
-  for (const std::string kind : {"beam", "oscillator", "matrices", "hub"}) {
+  for (const std::string kind : {"beam", "lumped", "oscillator", "matrices", "hub"}) {
     const ScratchFolder scratch;
     const std::string file = (scratch / "scene.toml").string();
     const Finished written = run_graze("init " + kind + " " + file);

@@ -62,6 +62,17 @@ Stop stop_tangent(const SceneStop& stop, const SceneStop& rate, const Stop& asse
   return {row_rate, rate.gap, ImpactLaw{direction_rate, Restitution(rate.restitution)}};
 }
 
+// The constant modal force, by gravity and by loads; nullopt where there is neither.
+std::optional<Vector> constant_load(const Scene& scene, const ModalModel& model) {
+  std::optional<Vector> load;
+  if (scene.gravity) load = scene.gravity->acceleration * model.inertia;
+  for (std::size_t k = 0; k < scene.loads.size(); ++k) {
+    const Vector push = scene.loads[k].force * model.loads[k];
+    load = load ? Vector(*load + push) : push;
+  }
+  return load;
+}
+
 }  // namespace
 
 System assemble(const Scene& scene) { return assemble(scene, modal_model(scene)); }
@@ -70,7 +81,8 @@ System assemble(const Scene& scene, const ModalModel& model) {
   if (scene.hub) return assemble_on_hub(scene, model);
   System system{model.omega, NaturalModes{model.delta}, {}, scene.units};
   if (scene.forcing) system.modal().forcing = assemble_forcing(*scene.forcing, model.participation);
-  if (scene.gravity) system.modal().load = scene.gravity->acceleration * model.inertia;
+  system.modal().load = constant_load(scene, model);
+  if (model.coupling.size() > 0) system.modal().coupling = model.coupling;
   system.stops.reserve(scene.stops.size());
   const std::vector<ResidualSpring> residual = residual_springs(scene, model);
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
@@ -91,9 +103,11 @@ System system_tangent(const Scene& scene, const Scene& direction, const ModalMod
   System tangent{rate.omega, NaturalModes{rate.delta}, {}};
   if (scene.forcing)
     tangent.modal().forcing = forcing_tangent(*scene.forcing, *direction.forcing, model, rate);
-  if (scene.gravity)
-    tangent.modal().load = direction.gravity->acceleration * model.inertia +
-                           scene.gravity->acceleration * rate.inertia;
+  // A product's derivative: once the forces move, once the shapes.
+  tangent.modal().load = constant_load(direction, model);
+  if (const std::optional<Vector> moved = constant_load(scene, rate))
+    *tangent.modal().load += *moved;
+  if (rate.coupling.size() > 0) tangent.modal().coupling = rate.coupling;
   tangent.stops.reserve(scene.stops.size());
   const std::vector<ResidualSpring> residual = residual_spring_rates(scene, direction, model, rate);
   for (std::size_t i = 0; i < scene.stops.size(); ++i)

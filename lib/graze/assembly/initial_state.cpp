@@ -9,6 +9,8 @@
 #include "graze/assembly/detail/hub_system.hpp"
 #include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/contact/detail/complementarity.hpp"
+#include "graze/scene/matrix_structure.hpp"
+#include "graze/structure/modal_model.hpp"
 #include "graze/system/detail/gap_value.hpp"
 
 namespace graze {
@@ -180,10 +182,32 @@ Vector as_vector(const std::vector<double>& list) {
   return Eigen::Map<const Vector>(list.data(), static_cast<Eigen::Index>(list.size()));
 }
 
+// Modal velocities of a uniform motion of the whole structure at 1 m/s.
+Vector uniform_motion(const Scene& scene) {
+  if (scene.modal()) return as_vector(scene.modal()->inertia);
+  Scene pushed = scene;
+  pushed.gravity = Gravity{1.0};
+  return modal_model(pushed).inertia;
+}
+
+// Where a scene says that its structure starts, without a hub.
+State given_start(const Scene& scene) {
+  const Initial& initial = *scene.initial;
+  const auto modal = [&](const std::vector<double>& own, const std::vector<double>& coordinates) {
+    return coordinates.empty() ? as_vector(own)
+                               : Vector(scene.discrete()->solved->momenta * as_vector(coordinates));
+  };
+  State state{modal(initial.q, initial.displacement), modal(initial.qdot, initial.velocity)};
+  if (initial.speed) state.qdot += *initial.speed * uniform_motion(scene);
+  return state;
+}
+
 // The key of the scene that places the structure at the start.
 std::string start_key(const Initial& initial) {
   const bool bent =
       std::any_of(initial.q.begin(), initial.q.end(), [](double q) { return q != 0.0; });
+  if (initial.in_equilibrium) return "initial.at";
+  if (!initial.displacement.empty()) return "initial.displacement";
   return !bent && initial.angle != 0.0 ? "initial.angle" : "initial.q";
 }
 
@@ -197,16 +221,20 @@ State initial_state(const Scene& scene, const System& system) {
     state.q = turning_coordinates(*system.rotation(), scene.initial->angle, q);
     state.qdot = turning_coordinates(*system.rotation(), scene.initial->rate, qdot);
   } else if (scene.initial) {
-    state.q = as_vector(scene.initial->q);
-    state.qdot = as_vector(scene.initial->qdot);
-  } else if (is_preloaded(system)) {
+    state = given_start(scene);
+  }
+  const bool at_rest = scene.initial && scene.initial->in_equilibrium;
+  if (at_rest || (!scene.initial && is_preloaded(system))) {
     const std::optional<Vector> q = static_equilibrium(system);
     if (!q)
-      throw scene_error(scene, "stop.gap",
-                        "a preloaded stop (negative gap) without [initial] starts in static "
-                        "equilibrium, which this structure does not have (a mode of frequency 0 "
-                        "that its preloads do not hold from both sides, or stops that contradict "
-                        "each other); say where it starts in [initial]");
+      throw scene_error(
+          scene, at_rest ? "initial.at" : "stop.gap",
+          fmt::format("{} in static equilibrium, which this structure does not have (a mode of "
+                      "frequency 0 that {} from both sides, or stops that contradict each other); "
+                      "say where it starts in [initial]",
+                      at_rest ? "the motion starts"
+                              : "a preloaded stop (negative gap) without [initial] starts",
+                      at_rest ? "nothing holds" : "its preloads do not hold"));
     state.q = *q;
   }
   for (std::size_t i = 0; i < system.stops.size(); ++i) {

@@ -17,7 +17,7 @@ namespace graze {
 namespace {
 
 const MatrixModes* matrices_of(const Scene& scene) {
-  return scene.matrices() ? scene.matrices()->solved.get() : nullptr;
+  return scene.discrete() ? scene.discrete()->solved.get() : nullptr;
 }
 
 std::vector<DirectionShare> directions_of(const Scene& scene, const ModalModel& model) {

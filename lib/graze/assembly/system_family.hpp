@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "graze/assembly/assembly.hpp"
+#include "graze/scene/parameter.hpp"
 
 namespace graze {
 
@@ -30,6 +31,7 @@ class SystemFamily {
  private:
   Scene scene_;
   std::string parameter_;
+  bool couples_ = false;  // modes are coupled by damping, at some values
 };
 
 // The systems of a scene one after the other, as a continuation in one or several parameters needs
@@ -55,7 +57,8 @@ class SystemCursor {
 
  private:
   struct Parameter {
-    double* value;                    // in scene_
+    std::vector<TiedNumber> numbers;  // in scene_
+    double value;                     // set there
     Scene direction;                  // that it moves the scene along
     std::optional<ModalModel> model;  // the structure's derivative, of the present values or of all
     std::optional<System> tangent;    // at the present values, once asked for
@@ -64,6 +67,7 @@ class SystemCursor {
   Scene scene_;
   std::vector<Parameter> parameters_;
   bool fixed_model_ = true;          // whatever the values
+  bool couples_ = false;             // modes are coupled by damping, at some values
   bool moved_ = false;               // to any values yet
   std::optional<System> system_;     // at the present values; nullopt when they are not allowed
   std::optional<ModalModel> model_;  // of the present values, or of all

@@ -18,7 +18,7 @@ constexpr double kIllConditioned = 1e8;
 
 void add_flexibility_warnings(const Scene& scene, const ModalModel& model,
                               std::vector<std::string>& warnings) {
-  const MatrixModes& matrices = *scene.matrices()->solved;
+  const MatrixModes& matrices = *scene.discrete()->solved;
   const bool are_all = scene.modes() == matrices.free_count() - matrices.modes.massless;
   const std::vector<StopFlexibility> list = stop_flexibilities(scene, model);
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -39,7 +39,7 @@ void add_flexibility_warnings(const Scene& scene, const ModalModel& model,
 void add_missing_nodes(const Scene& scene, std::vector<std::string>& warnings) {
   const bool is_based = scene.forcing && scene.forcing->kind == ForcingKind::kBase;
   if (!is_based && !scene.gravity) return;
-  const MatrixModes& matrices = *scene.matrices()->solved;
+  const MatrixModes& matrices = *scene.discrete()->solved;
   if (!scene.matrices()->dofs.empty() && matrices.elements.empty())
     warnings.push_back(
         "the mesh is not known: where elements are C3D8I, S4 or B31, CalculiX writes their "
@@ -62,7 +62,7 @@ void add_missing_nodes(const Scene& scene, std::vector<std::string>& warnings) {
 
 void add_matrix_warnings(const Scene& scene, const ModalModel& model,
                          std::vector<std::string>& warnings) {
-  for (const auto& [direction, part] : scene.matrices()->solved->weak_holds)
+  for (const auto& [direction, part] : scene.discrete()->solved->weak_holds)
     warnings.push_back(fmt::format(
         "the stiffness holds the structure in direction {} by {:.1g} of its entries only: of a "
         "free structure this is what few printed digits leave, and its rigid-body modes are not "
@@ -70,13 +70,7 @@ void add_matrix_warnings(const Scene& scene, const ModalModel& model,
         direction, part));
   if (std::string sentence = exchange_sentence(scene); !sentence.empty())
     warnings.push_back(std::move(sentence));
-  const ModalDamping* damping = damping_of_matrices(scene);
-  if (damping && !damping->is_proportional)
-    warnings.push_back(fmt::format(
-        "the damping matrix couples modes, which is left out: at most {:.3g} of the geometric mean "
-        "of their own damping, between modes {} and {}",
-        damping->coupling, damping->first + 1, damping->second + 1));
-  add_missing_nodes(scene, warnings);
+  if (scene.matrices()) add_missing_nodes(scene, warnings);
   add_flexibility_warnings(scene, model, warnings);
 }
 
@@ -89,7 +83,7 @@ double collocation_condition(const ModalModel& model) {
 std::vector<std::string> system_warnings(const Scene& scene, const System& system) {
   std::vector<std::string> warnings;
   const ModalModel model = modal_model(scene);
-  if (scene.matrices()) add_matrix_warnings(scene, model, warnings);
+  if (scene.discrete()) add_matrix_warnings(scene, model, warnings);
   const double condition = collocation_condition(model);
   if (condition > kIllConditioned)
     warnings.push_back(fmt::format(

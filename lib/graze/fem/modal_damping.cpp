@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "graze/base/errors.hpp"
+#include "graze/base/linalg/decompositions.hpp"
 #include "graze/base/linalg/detail/products.hpp"
 
 namespace graze {
@@ -13,7 +14,8 @@ namespace {
 double inner(const SparseMatrix& a, const SparseMatrix& b) { return a.cwiseProduct(b).sum(); }
 
 // The combination a M + b K nearest to C, scaled so that neither outweighs the other.
-void fit_proportional(const StructuralMatrices& structure, ModalDamping& damping) {
+void fit_proportional(const StructuralMatrices& structure, double proportional,
+                      ModalDamping& damping) {
   const SparseMatrix& c = *structure.damping;
   const double size_m = structure.mass.norm(), size_k = structure.stiffness.norm();
   const double mm = 1.0, kk = size_k > 0.0 ? 1.0 : 0.0;
@@ -27,16 +29,16 @@ void fit_proportional(const StructuralMatrices& structure, ModalDamping& damping
   damping.stiffness = independent ? (kc * mm - mc * mk) / determinant / size_k : 0.0;
   const SparseMatrix rest =
       c - damping.mass * structure.mass - damping.stiffness * structure.stiffness;
-  damping.is_proportional = rest.norm() <= kProportional * c.norm();
+  damping.is_proportional = rest.norm() <= proportional * c.norm();
 }
 
 }  // namespace
 
-ModalDamping modal_damping(const StructuralMatrices& structure, const StructuralModes& modes) {
+ModalDamping modal_damping(const StructuralMatrices& structure, const StructuralModes& modes,
+                           double proportional) {
   ModalDamping damping;
-  fit_proportional(structure, damping);
-  const Matrix projected =
-      transposed_product<double>(modes.shapes, *structure.damping * modes.shapes);
+  fit_proportional(structure, proportional, damping);
+  Matrix projected = transposed_product<double>(modes.shapes, *structure.damping * modes.shapes);
   damping.delta = 0.5 * projected.diagonal();
   if (damping.is_proportional)
     damping.delta =
@@ -51,15 +53,15 @@ ModalDamping modal_damping(const StructuralMatrices& structure, const Structural
     damping.delta[j] = std::max(damping.delta[j], 0.0);
   }
   if (damping.is_proportional) return damping;
-  for (Eigen::Index j = 0; j < projected.cols(); ++j)
-    for (Eigen::Index i = 0; i < j; ++i) {
-      const double scale = std::sqrt(std::abs(projected(i, i) * projected(j, j)));
-      const double coupling = scale > 0.0 ? std::abs(projected(i, j)) / scale : 0.0;
-      if (coupling <= damping.coupling) continue;
-      damping.coupling = coupling;
-      damping.first = static_cast<int>(i);
-      damping.second = static_cast<int>(j);
-    }
+  const double size = projected.norm();
+  const double lowest = symmetric_modes(0.5 * (projected + projected.transpose())).values[0];
+  if (lowest < -kProportional * size)
+    throw InputError(fmt::format(
+        "{}: the damping matrix gives energy to a motion, its lowest eigenvalue in the modes is "
+        "{:.4g} 1/s and must be at least 0",
+        structure.damping_file, lowest));
+  projected.diagonal().setZero();
+  if (projected.norm() > proportional * size) damping.coupling = std::move(projected);
   return damping;
 }
 

@@ -253,15 +253,15 @@ std::optional<Vector> FitModel::impact_times(const Vector& values) {
 
 Scene FitModel::scene_at(const Vector& values) const {
   Scene scene = scene_;
+  const std::shared_ptr<const Origins> origins = scene.origins;
+  scene.origins = nullptr;  // the values are not those in the file
   for (std::size_t j = 0; j < parameters_.size(); ++j) {
     const double value = values[static_cast<Eigen::Index>(j)];
     if (parameters_[j].target == Target::kScene)
-      *find_parameter(scene, parameters_[j].name) = value;
+      set_parameter(scene, parameters_[j].name, value);
     else if (parameters_[j].target == Target::kInitialState)
       start_coordinate(scene, parameters_[j].name) = value;
   }
-  const std::shared_ptr<const Origins> origins = scene.origins;
-  scene.origins = nullptr;  // the values are not those in the file
   check_scene(scene);
   scene.origins = origins;
   return scene;

@@ -13,6 +13,7 @@
 #include "graze/scene/detail/section_numbers.hpp"
 #include "graze/scene/detail/span_checks.hpp"
 #include "graze/scene/detail/table_checks.hpp"
+#include "graze/scene/matrix_structure.hpp"
 #include "graze/scene/suggestion.hpp"
 #include "graze/scene/value_checker.hpp"
 
@@ -40,7 +41,7 @@ void check_points(const ValueChecker& checker, const Beam& beam) {
 
 // All other lists have this many entries.
 void check_mode_count(const Scene& scene) {
-  if (scene.modal() == nullptr) return;
+  if (scene.modal() == nullptr || scene.discrete()) return;
   const std::size_t size = scene.modal()->frequencies.size();
   if (size < 1 || size > kMostModes)
     throw scene_error(
@@ -90,11 +91,16 @@ void check_damping(const Scene& scene) {
     throw scene_error(scene, "damping.viscous",
                       fmt::format("viscous damping is per length of a [beam], {} must have ratios "
                                   "or rayleigh",
-                                  scene.matrices() ? "[matrices]" : "a [modal] structure"));
-  if (scene.matrices() && !scene.matrices()->damping.empty())
+                                  scene.matrices() ? "[matrices]"
+                                  : scene.lumped() ? "[lumped]"
+                                                   : "a [modal] structure"));
+  if (damping_of_matrices(scene)) {
+    const char* given = scene.lumped() ? "lumped.spring.damping" : "matrices.damping";
     throw scene_error(scene, "damping",
-                      "matrices.damping is given already, the scene must have only one of "
-                      "matrices.damping and [damping]");
+                      fmt::format("{0} is given already, the scene must have only one of {0} and "
+                                  "[damping]",
+                                  given));
+  }
   if (modal != nullptr && !modal->damping_ratios.empty()) {
     throw scene_error(scene, "damping",
                       "modal.damping_ratios is given already, the scene must have only one of "
@@ -110,18 +116,59 @@ InputError missing_direction(const Scene& scene, const char* what) {
                                  what));
 }
 
-void check_matrices(const Scene& scene) {
-  const MatrixStructure* matrices = scene.matrices();
-  if (!matrices) return;
-  if (!matrices->solved)
-    throw scene_error(scene, "matrices", "the files have not been read, call solve_matrices");
+void check_structure_of_matrices(const Scene& scene) {
+  const DiscreteStructure* given = scene.discrete();
+  if (!given) return;
+  if (!given->solved)
+    throw scene_error(scene, scene.structure_name(),
+                      "its modes have not been computed, call solve_matrices");
   const bool is_based = scene.forcing && scene.forcing->kind == ForcingKind::kBase;
-  if (matrices->modal.inertia.empty() && (is_based || scene.gravity))
+  if (given->modal.inertia.empty() && (is_based || scene.gravity))
     throw missing_direction(scene, is_based ? "forcing of the kind \"base\"" : "[gravity]");
-  if (scene.forcing && !is_based && matrices->modal.participation.empty())
+  if (scene.forcing && scene.forcing->kind == ForcingKind::kModal &&
+      given->modal.participation.empty())
     throw scene_error(scene, "matrices.load",
                       "the key is missing, forcing of the kind \"load\" needs degrees of freedom, "
                       "or load_file");
+}
+
+// A force may act on a node of a mode, but somewhere on the structure.
+void check_load_point(const Scene& scene, const StructurePoint& point, const std::string& table) {
+  const Span* span = scene.span();
+  if (span && !(point.position >= 0.0 && point.position <= span->length))
+    throw scene_error(scene, table + ".position",
+                      fmt::format("{} is not allowed, it must be at least 0 and at most the {}'s "
+                                  "length {}",
+                                  point.position, scene.structure_name(), span->length));
+}
+
+void check_loads(const Scene& scene) {
+  if (scene.loads.empty()) return;
+  if (scene.hub)
+    throw scene_error(scene, "load",
+                      "a structure on a hub carries no point loads, [[load]] must be left out");
+  for (std::size_t k = 0; k < scene.loads.size(); ++k)
+    check_load_point(scene, scene.loads[k], numbered_path("load", k + 1));
+}
+
+// As many numbers as the structure has coordinates.
+void check_start(const Scene& scene) {
+  if (!scene.initial) return;
+  const Initial& initial = *scene.initial;
+  for (const auto& [key, list] : {std::pair("initial.displacement", &initial.displacement),
+                                  std::pair("initial.velocity", &initial.velocity)}) {
+    const auto count =
+        static_cast<std::size_t>(scene.discrete() ? scene.discrete()->solved->momenta.cols() : 0);
+    if (!list->empty() && list->size() != count)
+      throw scene_error(
+          scene, key,
+          fmt::format("the list has {} entries, it must have {}, one for each {}", list->size(),
+                      count, scene.lumped() ? "mass" : "degree of freedom"));
+  }
+  if (initial.speed && scene.modal() && scene.modal()->inertia.empty())
+    throw scene_error(scene, "initial.speed",
+                      "a speed of the whole structure needs its modal.inertia, or the direction of "
+                      "[matrices]; it must be left out");
 }
 
 void check_forcing(const Scene& scene) {
@@ -134,12 +181,15 @@ void check_forcing(const Scene& scene) {
   if (forcing.frequency.in_hertz && scene.units == Units::kNone)
     checker.fail("frequency_hz",
                  "Hz is a unit and the scene has units = \"none\", it must be frequency");
+  if (forcing.kind == ForcingKind::kPoint) check_load_point(scene, forcing.at, "forcing");
   if (modal == nullptr && forcing.kind == ForcingKind::kModal) {
     checker.fail("kind", "modal forcing needs [modal], it must be base or distributed");
   }
   if (modal != nullptr && forcing.kind == ForcingKind::kDistributed) {
     checker.fail("kind", fmt::format("distributed forcing needs [beam], it must be {} or base",
-                                     scene.matrices() ? "load" : "modal"));
+                                     scene.matrices() ? "load"
+                                     : scene.lumped() ? "point"
+                                                      : "modal"));
   }
   if (modal != nullptr && forcing.kind == ForcingKind::kModal && modal->participation.empty()) {
     throw scene_error(scene, "modal.participation",
@@ -203,15 +253,15 @@ void check_stop(const Scene& scene, const SceneStop& stop, std::size_t number) {
                                scene.structure_name(), span->length));
     }
   } else {
+    const char* key = scene.matrices() ? "node" : scene.lumped() ? "mass" : "shape";
     if (std::all_of(stop.shape.begin(), stop.shape.end(), [](double phi) { return phi == 0.0; })) {
-      checker.fail(scene.matrices() ? "node" : "shape",
-                   scene.matrices() ? "none of the modes moves it"
-                                    : "every entry is 0, at least one mode must move at the stop");
+      checker.fail(key, scene.discrete() ? "none of the modes moves it"
+                                         : "every entry is 0, at least one mode must move at the "
+                                           "stop");
     }
     double square = 0.0;
     for (const double phi : stop.shape) square += phi * phi;
-    checker.usable(scene.matrices() ? "node" : "shape", 1.0 / square,
-                   "the effective mass at the stop, kg,");
+    checker.usable(key, 1.0 / square, "the effective mass at the stop, kg,");
   }
   if (stop.spring) {
     check_spring(scene, *stop.spring, numbered_path("stop", number) + ".spring");
@@ -266,7 +316,7 @@ void check_solver(const Scene& scene) {
 }  // namespace
 
 void check_scene(const Scene& scene) {
-  check_matrices(scene);
+  check_structure_of_matrices(scene);
   check_mode_count(scene);
   check_ranges(scene);
   check_structure(scene);
@@ -274,6 +324,8 @@ void check_scene(const Scene& scene) {
   check_damping(scene);
   check_forcing(scene);
   check_gravity(scene);
+  check_loads(scene);
+  check_start(scene);
   check_stops(scene);
   check_probes(scene);
   check_on_span(scene);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "graze/scene/parameter.hpp"
@@ -40,10 +41,14 @@ std::string scene_difference(Scene there, Scene here, const std::vector<std::str
   strip(there);
   strip(here);
   for (const std::string& name : free) {
-    const double* value = find_parameter(there, name);
-    double* own = find_parameter(here, name);
-    if (!value || !own) return fmt::format("one of them has no {}", name);
-    *own = *value;
+    try {
+      const std::vector<TiedNumber> from = parameter_numbers(there, name);
+      const std::vector<TiedNumber> to = parameter_numbers(here, name);
+      for (std::size_t k = 0; k < std::min(from.size(), to.size()); ++k)
+        *to[k].number = *from[k].number;
+    } catch (const InputError&) {
+      return fmt::format("one of them has no {}", name);
+    }
   }
   // No orbit depends on the thickness, though it may be the parameter.
   for (Scene* scene : {&there, &here})

@@ -63,6 +63,8 @@ struct Key {
   bool applies = true;       // beside the other keys that this scene has
   bool is_parameter = true;  // of a number: may be varied
   bool may_stand = false;    // in a scene made in code, where it does not apply
+  bool is_symmetric = true;  // a matrix
+  bool is_kept = false;      // a choice: what stands there, where the scene does not give it
 
   constexpr Key or_else(const char* text = nullptr) const {
     Key key = *this;
@@ -85,6 +87,16 @@ struct Key {
     Key key = *this;
     key.applies = condition;
     key.refusal = sentence;
+    return key;
+  }
+  constexpr Key of_any_matrix() const {
+    Key key = *this;
+    key.is_symmetric = false;
+    return key;
+  }
+  constexpr Key or_kept() const {
+    Key key = *this;
+    key.is_kept = true;
     return key;
   }
   constexpr Key or_ignored() const {
@@ -141,6 +153,9 @@ struct SchemaVisitor {
   // A number, or the one word that stands for what makes it; third: whether the word stands.
   void number_or(const Key&, const auto&, const auto&, const char*) const {}
   void list(const Key&, const auto&) const {}    // of numbers, one per mode but in a torque's table
+  void values(const Key&, const auto&) const {}  // the same, as many as there are
+  // A matrix in the scene, or the name of the file that holds it.
+  void entries(const Key&, const auto&, const auto&) const {}
   void series(const Key&, const auto&) const {}  // a list of numbers, or one where it has one entry
   void taper(const Key&, const auto&) const {}   // one length of a section, or two
   // The two ends of a span, words of choices; last: what they are where none are given.

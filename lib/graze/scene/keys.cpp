@@ -29,6 +29,8 @@ class KeyLister : public SchemaVisitor {
   }
   void number_or(const Key& key, const auto&, bool, const char*) { add(key, ""); }
   void list(const Key& key, const auto&) { add(key, ""); }
+  void values(const Key& key, const auto&) { add(key, ""); }
+  void entries(const Key& key, const auto&, const auto&) { add(key, ""); }
   void series(const Key& key, const auto&) { add(key, ""); }
   void taper(const Key& key, const auto&) { add(key, ""); }
   void ends(const Key& key, const auto&, const auto&, const auto&) { add(key, ""); }
@@ -106,8 +108,9 @@ const TableKeys& keys_of(const std::string& path) {
 const KeyRow* key_row(const std::string& path) {
   std::string name = path;
   std::size_t dot = name.rfind('.');
-  if (dot != std::string::npos &&
-      name.find_first_not_of("0123456789", dot + 1) == std::string::npos) {
+  // An entry of a list, or of a matrix.
+  while (dot != std::string::npos &&
+         name.find_first_not_of("0123456789", dot + 1) == std::string::npos) {
     name.resize(dot);
     dot = name.rfind('.');
   }

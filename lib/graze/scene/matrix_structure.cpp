@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "graze/base/linalg/detail/products.hpp"
 #include "graze/base/sha256.hpp"
+#include "graze/fem/detail/matrix_entries.hpp"
 #include "graze/fem/detail/text_lines.hpp"
 #include "graze/fem/dof_values.hpp"
 #include "graze/fem/matrix_file.hpp"
 #include "graze/scene/detail/keys.hpp"
+#include "graze/scene/discrete_matrices.hpp"
 
 namespace graze {
 namespace {
@@ -85,42 +88,63 @@ const char* left_out(const Scene& scene) {
                                           "be held by constraints_file";
 }
 
-// A stop or a probe as a row over the free degrees of freedom.
-Vector row_of(const Scene& scene, const StructuralMatrices& structure, const Mesh& mesh,
-              const std::string& table, const std::string& node, const std::string& against) {
-  Vector row = Vector::Zero(structure.size());
-  const auto add = [&](const char* key, const std::string& text, double sign) {
-    const std::string path = table + "." + key;
-    const DofLabel label = label_of(scene, mesh, path, text);
-    if (const std::optional<int> place = structure.find(label)) {
+// Rows of points on the free degrees of freedom.
+class PointRows {
+ public:
+  PointRows(const Scene& scene, const StructuralMatrices& structure, const Mesh& mesh)
+      : scene_(scene), structure_(structure), mesh_(mesh) {}
+
+  Eigen::Index size() const { return structure_.size(); }
+  // `table`: that of the point, "stop.2".
+  Vector row(const std::string& table, const auto& point) const {
+    Vector row = Vector::Zero(structure_.size());
+    const std::string key = table + (scene_.lumped() ? ".mass" : ".node");
+    if (point.node.empty()) throw scene_error(scene_, key, "the key is missing");
+    add(key, point.node, 1.0, row);
+    if (!point.against.empty()) add(table + ".against", point.against, -1.0, row);
+    if (row.isZero(0.0))
+      throw scene_error(
+          scene_, key,
+          fmt::format("the {} {} {}", scene_.lumped() ? "mass" : "degree of freedom", point.node,
+                      point.against.empty() ? "is held at zero" : "moves with the other one"));
+    return row;
+  }
+
+ private:
+  void add(const std::string& path, const std::string& text, double sign, Vector& row) const {
+    if (const LumpedStructure* lumped = scene_.lumped()) {
+      const std::optional<int> mass = mass_named(*lumped, text);
+      if (!mass)
+        throw scene_error(
+            scene_, path,
+            fmt::format("\"{}\" is not allowed, it must be a mass from 1 to {}{}", text,
+                        lumped->masses.size(), lumped->names.empty() ? "" : " or the name of one"));
+      if (*mass >= 0) row[*mass] += sign;
+      return;
+    }
+    const DofLabel label = label_of(scene_, mesh_, path, text);
+    if (const std::optional<int> place = structure_.find(label)) {
       row[*place] += sign;
       return;
     }
-    const auto& held = structure.held;
+    const auto& held = structure_.held;
     if (std::find(held.begin(), held.end(), label) == held.end())
-      throw scene_error(scene, path, structure.absence(label) + left_out(scene));
-  };
-  if (node.empty()) throw scene_error(scene, table + ".node", "the key is missing");
-  add("node", node, 1.0);
-  if (!against.empty()) add("against", against, -1.0);
-  if (row.isZero(0.0))
-    throw scene_error(
-        scene, table + ".node",
-        fmt::format("the degree of freedom {} {}", node,
-                    against.empty() ? "is held at zero" : "moves with the other one"));
-  return row;
-}
+      throw scene_error(scene_, path, structure_.absence(label) + left_out(scene_));
+  }
+
+  const Scene& scene_;
+  const StructuralMatrices& structure_;
+  const Mesh& mesh_;
+};
 
 std::vector<double> as_list(const Vector& vector) { return {vector.begin(), vector.end()}; }
 
-std::vector<double> load_participation(const Scene& scene, const MatrixStructure& matrices,
-                                       const StructuralMatrices& structure, const Mesh& mesh,
-                                       const Matrix& shapes) {
+Vector load_of(const Scene& scene, const MatrixStructure& matrices,
+               const StructuralMatrices& structure, const Mesh& mesh) {
   if (!matrices.load_file.empty()) {
     if (!matrices.load.empty() || !matrices.load_values.empty())
       throw scene_error(scene, "matrices.load", "the load is in a file, it must be left out");
-    return as_list(shapes.transpose() *
-                   read_dof_values(matrices.load_file, structure.labels, structure.held));
+    return read_dof_values(matrices.load_file, structure.labels, structure.held);
   }
   const std::size_t count = matrices.load_values.size();
   if (count != 0 && count != matrices.load.size())
@@ -144,16 +168,21 @@ std::vector<double> load_participation(const Scene& scene, const MatrixStructure
                         fmt::format("{} is not allowed, it must be finite", value));
     load[*place] += value;
   }
-  return as_list(shapes.transpose() * load);
+  return load;
 }
 
-Matrix stop_rows(const Scene& scene, const StructuralMatrices& structure, const Mesh& mesh) {
-  Matrix rows(structure.size(), static_cast<Eigen::Index>(scene.stops.size()));
+// Of stops, loads and the point of the forcing.
+Matrix acting_points(const Scene& scene, const PointRows& rows) {
+  const bool is_forced = scene.forcing && scene.forcing->kind == ForcingKind::kPoint;
+  std::vector<Vector> list;
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
-    rows.col(static_cast<Eigen::Index>(i)) =
-        row_of(scene, structure, mesh, numbered_path("stop", i + 1), scene.stops[i].node,
-               scene.stops[i].against);
-  return rows;
+    list.push_back(rows.row(numbered_path("stop", i + 1), scene.stops[i]));
+  for (std::size_t i = 0; i < scene.loads.size(); ++i)
+    list.push_back(rows.row(numbered_path("load", i + 1), scene.loads[i]));
+  if (is_forced) list.push_back(rows.row("forcing", scene.forcing->at));
+  Matrix points(rows.size(), static_cast<Eigen::Index>(list.size()));
+  for (std::size_t k = 0; k < list.size(); ++k) points.col(static_cast<Eigen::Index>(k)) = list[k];
+  return points;
 }
 
 // Loads of a unit force at each stop and, where there is one, of a unit acceleration.
@@ -215,12 +244,41 @@ std::array<double, 3> MatrixModes::displacement(long node, Eigen::Index mode) co
 }
 
 const ModalDamping* damping_of_matrices(const Scene& scene) {
-  const MatrixStructure* matrices = scene.matrices();
-  return matrices && matrices->solved->damping ? &*matrices->solved->damping : nullptr;
+  const DiscreteStructure* given = scene.discrete();
+  return given && given->solved->damping ? &*given->solved->damping : nullptr;
 }
 
-void solve_matrices(Scene& scene) {
-  auto& matrices = std::get<MatrixStructure>(scene.structure);
+namespace {
+
+StructuralMatrices matrices_of_files(const Scene& scene, const Mesh& mesh) {
+  const MatrixStructure& matrices = *scene.matrices();
+  MatrixFiles files{matrices.mass, matrices.stiffness, {}, {}};
+  if (!matrices.damping.empty()) files.damping = matrices.damping;
+  if (!matrices.dofs.empty()) files.dofs = matrices.dofs;
+  // A file of nodes without elements may leave some out.
+  if (!mesh.elements.empty())
+    for (const auto& [node, place] : mesh.nodes) files.nodes.insert(node);
+  return read_structure(files, constraints_of(scene, matrices, mesh));
+}
+
+StructuralMatrices matrices_of_scene(const Scene& scene, const Mesh& mesh) {
+  check_discrete(scene);
+  const DiscreteMatrices own = discrete_matrices(scene);
+  const bool lumped = scene.lumped() != nullptr;
+  const auto labelled = [&](const char* name, const Matrix& matrix) {
+    return LabelledMatrix{
+        name, matrix.sparseView(), numbered_labels(static_cast<int>(matrix.rows())), false, {}};
+  };
+  const LabelledMatrix damping =
+      labelled(lumped ? "lumped.spring.damping" : "matrices.damping", own.damping);
+  std::vector<DofLabel> held;
+  if (!lumped) held = constraints_of(scene, *scene.matrices(), mesh);
+  return join_matrices(labelled(lumped ? "lumped.masses" : "matrices.mass", own.mass),
+                       labelled(lumped ? "lumped.spring" : "matrices.stiffness", own.stiffness),
+                       own.damping.isZero(0.0) ? nullptr : &damping, held);
+}
+
+void check_checksum(const Scene& scene, MatrixStructure& matrices) {
   const std::string checksum = files_checksum(matrices);
   if (!matrices.checksum.empty() && matrices.checksum != checksum)
     throw scene_error(scene, "matrices.checksum",
@@ -228,52 +286,104 @@ void solve_matrices(Scene& scene) {
                                   "this scene was written",
                                   checksum));
   matrices.checksum = checksum;
-  MatrixFiles files{matrices.mass, matrices.stiffness, {}, {}};
-  if (!matrices.damping.empty()) files.damping = matrices.damping;
-  if (!matrices.dofs.empty()) files.dofs = matrices.dofs;
-  Mesh mesh;
-  if (!matrices.coordinates.empty()) mesh = read_mesh(matrices.coordinates);
-  // A file of nodes without elements may leave some out.
-  if (!mesh.elements.empty())
-    for (const auto& [node, place] : mesh.nodes) files.nodes.insert(node);
-  const StructuralMatrices structure = read_structure(files, constraints_of(scene, matrices, mesh));
-  const auto found = std::make_shared<MatrixModes>();
-  const Matrix rows = stop_rows(scene, structure, mesh);
-  if (matrices.modes > static_cast<int>(structure.rows_with_mass().size()))
-    throw scene_error(scene, "matrices.modes",
-                      fmt::format("{} is not allowed, the matrices have {}", matrices.modes,
-                                  mode_limit_text(structure)));
-  found->modes =
-      lowest_modes(structure, matrices.modes, static_loads(rows, structure, matrices.direction));
-  for (const DofLabel& label : structure.labels)
-    found->rows.emplace(label, static_cast<Eigen::Index>(found->rows.size()));
-  for (const DofLabel& label : structure.held) found->rows.emplace(label, -1);
-  found->total_masses = structure.total_masses;
-  const Matrix& shapes = found->modes.shapes;
-  for (const auto& [direction, load] : structure.inertia_loads)
-    found->inertia[direction] = shapes.transpose() * load;
-  if (structure.damping) found->damping = modal_damping(structure, found->modes);
-  if (!mesh.nodes.empty()) {
-    found->coordinates = std::move(mesh.nodes);
-    found->elements = std::move(mesh.elements);
-    found->couplings = structure.couplings;
+}
+
+// The first coordinate that a mode moves goes along +u: of masses in a chain each mode moves the
+// first one, so that its sign is kept whatever the numbers.
+void give_signs(Matrix& shapes) {
+  constexpr double kMoves = 1e-8;  // of the largest displacement: more than rounding
+  for (Eigen::Index j = 0; j < shapes.cols(); ++j) {
+    const double least = kMoves * shapes.col(j).cwiseAbs().maxCoeff();
+    Eigen::Index i = 0;
+    while (i + 1 < shapes.rows() && std::abs(shapes(i, j)) <= least) ++i;
+    if (shapes(i, j) < 0.0) shapes.col(j) *= -1.0;
   }
-  found->weak_holds = weak_holds(structure);
-  add_static_displacements(rows, *found);
-  matrices.modal = {as_list(found->modes.omega), {}, {}, {}};
-  matrices.modal.participation = load_participation(scene, matrices, structure, mesh, shapes);
-  if (const auto along = found->inertia.find(matrices.direction); along != found->inertia.end())
-    matrices.modal.inertia = as_list(along->second);
-  for (std::size_t i = 0; i < scene.stops.size(); ++i)
-    scene.stops[i].shape = as_list(shapes.transpose() * rows.col(static_cast<Eigen::Index>(i)));
+}
+
+Matrix all_momenta(const StructuralMatrices& structure, const MatrixModes& found) {
+  const Matrix free = transposed_product<double>(found.modes.shapes, structure.mass);
+  Matrix momenta = Matrix::Zero(free.rows(), static_cast<Eigen::Index>(found.rows.size()));
+  Eigen::Index column = 0;  // labels are numbers, in their order
+  for (const auto& [label, row] : found.rows) {
+    if (row >= 0) momenta.col(column) = free.col(row);
+    ++column;
+  }
+  return momenta;
+}
+
+// Fills in what the scene sees of the modes.
+void give_modes(Scene& scene, const PointRows& rows, const MatrixModes& found) {
+  const Matrix& shapes = found.modes.shapes;
+  DiscreteStructure& given = *scene.discrete();
+  given.modal = {as_list(found.modes.omega), {}, {}, {}};
+  const MatrixStructure* matrices = scene.matrices();
+  if (found.load.size() > 0) given.modal.participation = as_list(shapes.transpose() * found.load);
+  if (const auto along = found.inertia.find(matrices ? matrices->direction : 0);
+      along != found.inertia.end())
+    given.modal.inertia = as_list(along->second);
+  Eigen::Index column = 0;
+  const auto next_shape = [&] { return as_list(shapes.transpose() * found.points.col(column++)); };
+  for (SceneStop& stop : scene.stops) stop.shape = next_shape();
+  for (PointLoad& load : scene.loads) load.shape = next_shape();
+  if (column < found.points.cols()) scene.forcing->at.shape = next_shape();
   for (std::size_t i = 0; i < scene.probes.size(); ++i) {
     Probe& probe = scene.probes[i];
     if (is_of_hub(probe.quantity)) continue;
-    probe.shape =
-        as_list(shapes.transpose() * row_of(scene, structure, mesh, numbered_path("probe", i + 1),
-                                            probe.node, probe.against));
+    probe.shape = as_list(shapes.transpose() * rows.row(numbered_path("probe", i + 1), probe));
   }
-  matrices.solved = found;
+  const auto count = static_cast<std::size_t>(shapes.cols());
+  if (!scene.initial) return;
+  if (scene.initial->q.size() < count) scene.initial->q.resize(count, 0.0);
+  if (scene.initial->qdot.size() < count) scene.initial->qdot.resize(count, 0.0);
+}
+
+}  // namespace
+
+StructuralMatrices structural_matrices(const Scene& scene, const Mesh& mesh) {
+  return has_own_matrices(scene) ? matrices_of_scene(scene, mesh) : matrices_of_files(scene, mesh);
+}
+
+void solve_matrices(Scene& scene) {
+  const bool own = has_own_matrices(scene);
+  auto* matrices = std::get_if<MatrixStructure>(&scene.structure);
+  if (!own) check_discrete(scene);
+  if (!own) check_checksum(scene, *matrices);
+  Mesh mesh;
+  if (matrices && !matrices->coordinates.empty()) mesh = read_mesh(matrices->coordinates);
+  const StructuralMatrices structure = structural_matrices(scene, mesh);
+  const auto found = std::make_shared<MatrixModes>();
+  const PointRows rows(scene, structure, mesh);
+  found->points = acting_points(scene, rows);
+  if (matrices) found->load = load_of(scene, *matrices, structure, mesh);
+  const Matrix stops = found->points.leftCols(static_cast<Eigen::Index>(scene.stops.size()));
+  const int most = static_cast<int>(structure.rows_with_mass().size());
+  const int asked = scene.discrete()->modes, count = own && asked == 0 ? most : asked;
+  if (count > most)
+    throw scene_error(
+        scene, fmt::format("{}.modes", scene.structure_name()),
+        fmt::format("{} is not allowed, the matrices have {}", count, mode_limit_text(structure)));
+  const int direction = matrices ? matrices->direction : 0;
+  found->modes = lowest_modes(structure, count, static_loads(stops, structure, direction));
+  if (own) give_signs(found->modes.shapes);
+  for (const DofLabel& label : structure.labels)
+    found->rows.emplace(label, static_cast<Eigen::Index>(found->rows.size()));
+  for (const DofLabel& label : structure.held) found->rows.emplace(label, -1);
+  if (own) found->momenta = all_momenta(structure, *found);
+  found->total_masses = structure.total_masses;
+  for (const auto& [along, load] : structure.inertia_loads)
+    found->inertia[along] = found->modes.shapes.transpose() * load;
+  if (structure.damping)
+    found->damping =
+        modal_damping(structure, found->modes, own ? kProportionalExactly : kProportional);
+  if (!mesh.nodes.empty()) {
+    found->coordinates = mesh.nodes;
+    found->elements = mesh.elements;
+    found->couplings = structure.couplings;
+  }
+  if (!own) found->weak_holds = weak_holds(structure);
+  add_static_displacements(stops, *found);
+  give_modes(scene, rows, *found);
+  scene.discrete()->solved = found;
 }
 
 }  // namespace graze

@@ -1,4 +1,4 @@
-// The modes of a structure given by matrices: found once for a scene and shared by its copies.
+// The modes of a discrete structure: found once for a scene and shared by its copies.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace graze {
 
 struct MatrixModes {
   StructuralModes modes;
-  std::optional<ModalDamping> damping{};  // of a damping file
+  std::optional<ModalDamping> damping{};  // of a damping matrix
   std::map<DofLabel, Eigen::Index> rows;  // of the shapes; -1 of what is held at zero
   // Under a unit acceleration in direction 1, 2, 3 (0 where degrees of freedom have none): the
   // modal forces Phi^T M r, kg^1/2, whose squares are effective masses, and the whole mass r^T M r.
@@ -34,6 +34,12 @@ struct MatrixModes {
   std::vector<MeshElement> elements;                  // of their file; may be none
   // Pairs of nodes that the stiffness couples, where coordinates are known.
   std::vector<std::pair<long, long>> couplings;
+  // Rows on the free degrees of freedom of the stops, the loads and, at a point, the forcing, n by
+  // as many.
+  Matrix points;
+  Vector load;  // of the forcing "load" on the free degrees of freedom, N per unit; empty: none
+  // Phi^T M on all coordinates of a structure whose matrices stand in the scene, N by their number.
+  Matrix momenta;
 
   int free_count() const { return static_cast<int>(modes.shapes.rows()); }
   // Displacement of a node in a mode along x, y, z; zero where it has no such degree of freedom.
@@ -43,14 +49,18 @@ struct MatrixModes {
   std::optional<Vector> row(const std::string& label) const;
 };
 
+// The matrices over the free degrees of freedom: those of the files, which are read, or of the
+// scene.
+StructuralMatrices structural_matrices(const Scene& scene, const Mesh& mesh);
+
 // The damping matrix in the modes; null for a scene without one.
 const ModalDamping* damping_of_matrices(const Scene& scene);
 
-// Reads the files of a scene's matrices, computes the modes, and fills in the modal structure and
-// the shapes at stops and probes. The reader calls it; a scene made in code needs it before it is
-// checked or assembled, and again when its files, modes, constraints, load, stops or probes have
-// changed. Throws FileError where a file cannot be read, InputError where it cannot be used or
-// where a degree of freedom does not exist.
+// Computes the modes of a scene's discrete structure, of matrices in files after reading these, and
+// fills in the modal structure and the shapes at stops, loads and probes. The reader calls it; a
+// scene made in code needs it before it is checked or assembled, and again when its numbers, files,
+// modes, constraints, load or points have changed. Throws FileError where a file cannot be read,
+// InputError where it cannot be used or where a degree of freedom does not exist.
 void solve_matrices(Scene& scene);
 
 }  // namespace graze

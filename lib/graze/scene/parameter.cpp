@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "graze/scene/check.hpp"
 #include "graze/scene/detail/keys.hpp"
 #include "graze/scene/detail/numbers.hpp"
+#include "graze/scene/detail/range_check.hpp"
+#include "graze/scene/discrete_matrices.hpp"
+#include "graze/scene/matrix_structure.hpp"
 #include "graze/scene/suggestion.hpp"
 
 namespace graze {
@@ -74,12 +78,104 @@ std::optional<bool> written_in_hertz(const Scene& scene, const std::string& path
 
 }  // namespace
 
+namespace {
+
+std::vector<std::string> split_at(const std::string& text, char where) {
+  std::vector<std::string> parts(1);
+  for (const char c : text)
+    if (c == where)
+      parts.emplace_back();
+    else if (c != ' ')
+      parts.back() += c;
+  return parts;
+}
+
+struct TiedPath {
+  std::string path;
+  double factor = 1.0;
+};
+
+// The paths that "stop.*.gap" stands for, in a scene; the path itself where it has no star.
+std::vector<std::string> without_star(const Scene& scene, const std::string& path) {
+  const std::size_t star = path.find(".*");
+  if (star == std::string::npos) return {path};
+  std::vector<std::string> paths;
+  for (std::size_t k = 1;; ++k) {
+    const std::string one = fmt::format("{}.{}{}", path.substr(0, star), k, path.substr(star + 2));
+    if (!parameter_value(scene, one)) return paths;
+    paths.push_back(one);
+  }
+}
+
+// "2*forcing.frequency" of a first name "forcing.frequency" is the factor 2; nullopt otherwise.
+std::optional<double> factor_of(const std::string& text, const std::string& first) {
+  if (text == first) return 1.0;
+  const std::size_t behind = text.size() - std::min(text.size(), first.size() + 1);
+  if (text.substr(behind) != "*" + first || behind == 0) return {};
+  char* end = nullptr;
+  const double factor = std::strtod(text.c_str(), &end);
+  if (end != text.c_str() + behind || !std::isfinite(factor)) return {};
+  return factor;
+}
+
+// Throws InputError where a tie does not say what it must.
+std::vector<TiedPath> tied_paths(const Scene& scene, const std::string& name) {
+  std::vector<TiedPath> tied;
+  std::string first;
+  for (const std::string& part : split_at(name, ',')) {
+    const std::size_t equals = part.find('=');
+    const std::string path = part.substr(0, equals);
+    double factor = 1.0;
+    if (equals != std::string::npos) {
+      const std::optional<double> found = factor_of(part.substr(equals + 1), first);
+      if (!found || first.empty())
+        throw InputError(fmt::format(
+            "{}: \"{}\" is not allowed, {} like {}=2*{}", name, part,
+            first.empty() ? "the first number is set as it is, further ones may be tied to it"
+                          : "it must be a multiple of the first number",
+            path, first.empty() ? path : first));
+      factor = *found;
+    }
+    if (first.empty()) first = path;
+    for (const std::string& one : without_star(scene, path)) tied.push_back({one, factor});
+  }
+  return tied;
+}
+
+}  // namespace
+
 bool are_same_parameter(const std::string& first, const std::string& second) {
   const auto plain = [](const std::string& path) -> std::string {
     if (path == "forcing.frequency_hz") return "forcing.frequency";
     return first_unnumbered(path);
   };
-  return plain(first) == plain(second);
+  for (const std::string& one : split_at(first, ','))
+    for (const std::string& other : split_at(second, ','))
+      if (plain(one.substr(0, one.find('='))) == plain(other.substr(0, other.find('='))))
+        return true;
+  return false;
+}
+
+std::vector<TiedNumber> parameter_numbers(Scene& scene, const std::string& name) {
+  std::vector<TiedNumber> numbers;
+  for (const TiedPath& tied : tied_paths(scene, name)) {
+    double* number = find_parameter(scene, tied.path);
+    if (number == nullptr) throw unknown_parameter(scene, tied.path);
+    numbers.push_back({number, tied.factor});
+  }
+  if (numbers.empty()) throw unknown_parameter(scene, name);
+  return numbers;
+}
+
+void set_parameter(Scene& scene, const std::string& name, double value) {
+  for (const TiedNumber& tied : parameter_numbers(scene, name)) *tied.number = tied.factor * value;
+  if (!leaves_structure(name)) renew_structure(scene);
+}
+
+void renew_structure(Scene& scene) {
+  if (!has_own_matrices(scene)) return;
+  check_ranges(scene);
+  solve_matrices(scene);
 }
 
 double* find_parameter(Scene& scene, const std::string& path) {
@@ -88,13 +184,17 @@ double* find_parameter(Scene& scene, const std::string& path) {
   return found_number(scene, path, false);
 }
 
-std::optional<double> parameter_value(const Scene& scene, const std::string& path) {
-  if (const std::optional<bool> in_hertz = written_in_hertz(scene, path)) {
+std::optional<double> parameter_value(const Scene& scene, const std::string& name) {
+  if (name.find_first_of(",*=") != std::string::npos) {
+    const std::vector<TiedPath> tied = tied_paths(scene, name);
+    return tied.empty() ? std::nullopt : parameter_value(scene, tied.front().path);
+  }
+  if (const std::optional<bool> in_hertz = written_in_hertz(scene, name)) {
     Frequency frequency = scene.forcing->frequency;
     frequency.write_in_hertz(*in_hertz);
     return frequency.written;
   }
-  const double* number = found_number(scene, path, false);
+  const double* number = found_number(scene, name, false);
   return number ? std::optional<double>(*number) : std::nullopt;
 }
 
@@ -109,37 +209,36 @@ std::vector<std::string> parameter_names(const Scene& scene) {
   return names;
 }
 
-Scene with_parameter(const Scene& scene, const std::string& path, double value) {
+Scene with_parameter(const Scene& scene, const std::string& name, double value) {
   Scene changed = scene;
-  double* parameter = find_parameter(changed, path);
-  if (parameter == nullptr) {
-    throw unknown_parameter(scene, path);
-  }
-  *parameter = value;
   // The value is not the one in the file, so no message may point there.
   changed.origins = nullptr;
+  set_parameter(changed, name, value);
   check_scene(changed);
   changed.origins = scene.origins;
   return changed;
 }
 
-Scene parameter_direction(const Scene& scene, const std::string& path) {
+Scene parameter_direction(const Scene& scene, const std::string& name) {
   Scene direction = scene;
   visit_numbers(
       direction, [](const std::string&, double& value) { value = 0.0; }, true);
-  double* parameter = find_parameter(direction, path);
-  if (parameter == nullptr) {
-    throw unknown_parameter(scene, path);
-  }
-  *parameter = 1.0;
+  // In the scene itself, whose lists of tables are those of its direction.
+  for (const TiedNumber& tied : parameter_numbers(direction, name)) *tied.number = tied.factor;
   return direction;
 }
 
-bool leaves_structure(const std::string& path) {
-  const auto begins = [&](const char* with) { return path.rfind(with, 0) == 0; };
-  const auto contains = [&](const char* part) { return path.find(part) != std::string::npos; };
-  return begins("forcing.") || begins("gravity.") || begins("hub.") || path == "beam.thickness" ||
-         (begins("stop.") && (contains(".gap") || contains(".restitution") || contains(".spring")));
+bool leaves_structure(const std::string& name) {
+  const auto leaves = [](const std::string& path) {
+    const auto begins = [&](const char* with) { return path.rfind(with, 0) == 0; };
+    const auto contains = [&](const char* part) { return path.find(part) != std::string::npos; };
+    return (begins("forcing.") && path != "forcing.position") || begins("gravity.") ||
+           begins("hub.") || path == "beam.thickness" || (begins("load.") && contains(".force")) ||
+           (begins("stop.") &&
+            (contains(".gap") || contains(".restitution") || contains(".spring")));
+  };
+  const std::vector<std::string> parts = split_at(name, ',');
+  return std::all_of(parts.begin(), parts.end(), leaves);
 }
 
 namespace {
@@ -152,7 +251,10 @@ std::string si_unit(const Scene& scene, const std::string& path) {
   if (name == "forcing.amplitude") {
     if (!scene.forcing) return "";
     const ForcingKind kind = scene.forcing->kind;
-    return kind == ForcingKind::kBase ? "m" : (kind == ForcingKind::kDistributed ? "N/m" : "");
+    return kind == ForcingKind::kBase          ? "m"
+           : kind == ForcingKind::kPoint       ? "N"
+           : kind == ForcingKind::kDistributed ? "N/m"
+                                               : "";
   }
   const bool of_stiffness = name == "stop.spring.stiffness";
   if (of_stiffness || name == "stop.spring.damping.coefficient") {
@@ -168,7 +270,9 @@ std::string si_unit(const Scene& scene, const std::string& path) {
 
 }  // namespace
 
-std::string parameter_unit(const Scene& scene, const std::string& path) {
+std::string parameter_unit(const Scene& scene, const std::string& name) {
+  std::string path = name.substr(0, name.find(','));
+  if (const std::size_t star = path.find(".*"); star != std::string::npos) path.erase(star, 2);
   return unit_in(scene.units, si_unit(scene, path));
 }
 

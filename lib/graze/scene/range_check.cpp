@@ -55,8 +55,19 @@ class RangeChecker : public SchemaVisitor {
     for (const double value : body_numbers(geometry, which))
       checker_.entry(key.name, ++k, value, key.range);
   }
+  void values(const Key& key, const std::vector<double>& values) const {
+    if (!is_meant(key, !values.empty()) || !key.range.is_checked) return;
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (!key.range.holds(values[k])) checker_.entry(key.name, k + 1, values[k], key.range);
+  }
+  void entries(const Key& key, const auto&, const MatrixEntries& rows) const {
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      for (std::size_t j = 0; j < rows[k].size(); ++j)
+        checker_.number(fmt::format("{}.{}.{}", key.name, k + 1, j + 1).c_str(), rows[k][j], kAny);
+  }
+  // Zero of what may be left out stands for none.
   void count(const Key& key, int value) const {
-    if (!key.range.holds(value))
+    if (!key.range.holds(value) && (key.is_required || value != 0))
       checker_.refuse(key.name, value, fmt::format("an integer {}", key.range.words));
   }
   void table(const TableKey& key, const auto& value) const {

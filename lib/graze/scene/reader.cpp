@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "graze/scene/check.hpp"
 #include "graze/scene/detail/document.hpp"
@@ -84,6 +85,23 @@ class KeyReader : public SchemaVisitor {
     if (!key.is_required && values.empty())
       table_.fail(key.name, fmt::format("the list is empty, it must have one number{} per mode",
                                         *key.unit ? fmt::format(" in {}", key.unit) : ""));
+    const auto modes = static_cast<std::size_t>(reading_.scene.modes());
+    if (key.is_filled && values.size() < modes) values.resize(modes, 0.0);
+  }
+  void values(const Key& key, std::vector<double>& values) {
+    if (!is_due(key, !key.is_required)) return;
+    const std::string what = list_words(key);
+    table_.required(key.name, what);
+    values = table_.numbers(key.name, what, unit_of(key));
+    if (values.empty()) table_.fail(key.name, "the list is empty, it must have a number");
+  }
+  void entries(const Key& key, std::string& file, MatrixEntries& rows) {
+    if (!is_due(key, !key.is_required)) return;
+    const char* what = "the name of a file, or a list of rows like [[1.0, 0.0], [0.0, 2.0]]";
+    if (table_.required(key.name, what).as<NodeList>() != nullptr)
+      rows = symmetric_rows(key, table_.rows(key.name, what, unit_of(key)));
+    else
+      path(key, file);
   }
   // A number is the list of one entry.
   void series(const Key& key, std::vector<double>& values) {
@@ -139,10 +157,10 @@ class KeyReader : public SchemaVisitor {
     value = std::filesystem::absolute(reading_.folder / name).lexically_normal().string();
   }
   void label(const Key& key, std::string& value) {
-    if (is_due(key, !key.is_required)) value = table_.label(key.name);
+    if (is_due(key, !key.is_required)) value = table_.label(key.name, key.what);
   }
   void labels(const Key& key, std::vector<std::string>& values) {
-    if (is_due(key, !key.is_required)) values = table_.labels(key.name);
+    if (is_due(key, !key.is_required)) values = table_.labels(key.name, key.what);
   }
   // The points of a torque stand in the scene or in a file.
   void file(const Key& key, TorqueTable& points) {
@@ -171,6 +189,7 @@ class KeyReader : public SchemaVisitor {
       named.emplace_back(choice.name, choice.value);
       words.push_back(quoted(choice.name));
     }
+    if (key.is_kept && !table_.has(key.name)) return;
     if (key.is_required) table_.required(key.name, key.what ? key.what : joined(words, "or"));
     value = table_.choice<Value>(key.name, named);
   }
@@ -195,6 +214,17 @@ class KeyReader : public SchemaVisitor {
   }
 
  private:
+  // Throws where a matrix that must be symmetric is not.
+  MatrixEntries symmetric_rows(const Key& key, MatrixEntries rows) const {
+    for (std::size_t i = 0; key.is_symmetric && i < rows.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (rows[i][j] != rows[j][i])
+          table_.fail(key.name,
+                      fmt::format("the matrix is not symmetric: the entry ({}, {}) is {} and the "
+                                  "entry ({}, {}) is {}",
+                                  j + 1, i + 1, rows[j][i], i + 1, j + 1, rows[i][j]));
+    return rows;
+  }
   // The unit of its numbers where one is written with a unit of its own, which few are; nullopt
   // where none is, or none can be. That of some keys depends on other keys.
   std::optional<std::string> unit_of(const Key& key) const {
@@ -228,18 +258,27 @@ void prepare(const auto&, const Node&, auto&, const Scene&) {}
 // The keys say which damping it is.
 void prepare(const TableReader& table, const Node& node, Damping& damping, const Scene&) {
   const NodeTable& members = *node.as<NodeTable>();
-  const std::string allowed = "exactly one of viscous, ratios and rayleigh";
+  const std::string allowed = "exactly one of viscous, ratio, ratios and rayleigh";
   if (members.empty())
     throw InputError(node.place.location(), "damping",
                      fmt::format("the table is empty, it must hold {}", allowed));
   if (members.size() > 1)
     table.fail(members[1].key, fmt::format("{} is given already, the table must hold {}",
                                            table.path(members[0].key), allowed));
+  if (table.has("ratio")) damping = DampingRatio{};
   if (table.has("ratios")) damping = DampingRatios{};
   if (table.has("rayleigh")) damping = RayleighDamping{};
 }
 
-void prepare(const TableReader& table, const Node&, Forcing& forcing, const Scene&) {
+// Which keys it has says of which kind it is, where it does not say so itself.
+void prepare(const TableReader& table, const Node&, Forcing& forcing, const Scene& scene) {
+  if (!table.has("kind")) {
+    const auto given = [&](const char* key) { return table.has(key); };
+    constexpr std::array kPoints{"position", "shape", "node", "mass"};
+    forcing.kind = std::any_of(kPoints.begin(), kPoints.end(), given)        ? ForcingKind::kPoint
+                   : std::holds_alternative<ModalStructure>(scene.structure) ? ForcingKind::kModal
+                                                                             : ForcingKind::kBase;
+  }
   forcing.frequency.in_hertz = table.has("frequency_hz");
   if (table.has("frequency_hz") && table.has("frequency"))
     table.fail("frequency_hz",
@@ -264,9 +303,10 @@ void prepare(const TableReader&, const Node&, Initial& initial, const Scene& sce
 
 void prepare(const TableReader& root, const Node&, Scene& scene, const Scene&) {
   std::vector<std::string> given;
-  for (const char* name : {"beam", "string", "bar", "modal", "matrices"})
+  for (const char* name : {"beam", "string", "bar", "modal", "matrices", "lumped"})
     if (root.has(name)) given.emplace_back(name);
-  const std::string allowed = "exactly one of [beam], [string], [bar], [modal] and [matrices]";
+  const std::string allowed =
+      "exactly one of [beam], [string], [bar], [modal], [matrices] and [lumped]";
   if (given.empty())
     root.fail("scene", fmt::format("a scene needs a structure, it must have {}", allowed));
   if (given.size() > 1)
@@ -276,6 +316,7 @@ void prepare(const TableReader& root, const Node&, Scene& scene, const Scene&) {
   if (given.front() == "bar") scene.structure = Bar{};
   if (given.front() == "modal") scene.structure = ModalStructure{};
   if (given.front() == "matrices") scene.structure = MatrixStructure{};
+  if (given.front() == "lumped") scene.structure = LumpedStructure{};
 }
 
 template <class Table>
@@ -305,7 +346,7 @@ Scene parse_scene(const std::string& text, const std::string& name,
   Reading reading{scene, *origins, std::filesystem::path(name).parent_path()};
   read_table(reading, root, "", scene, Pass::kValues);
   scene.origins = origins;
-  if (scene.matrices()) solve_matrices(scene);
+  if (scene.discrete()) solve_matrices(scene);
   check_scene(scene);
   return scene;
 }

@@ -10,16 +10,18 @@ namespace graze {
 
 int Scene::modes() const {
   if (const Span* has_span = span()) return has_span->modes;
-  if (const MatrixStructure* has_matrices = matrices()) return has_matrices->modes;
+  if (const DiscreteStructure* given = discrete(); given && given->modes > 0) return given->modes;
   return static_cast<int>(modal()->frequencies.size());
 }
 
-const Span* Scene::span() const { return const_cast<Scene*>(this)->span(); }
+namespace {
 
-Span* Scene::span() {
+// The structure as one of those with this base, or null.
+template <class Base>
+Base* structure_as(auto& structure) {
   return std::visit(
-      []<class Structure>(Structure& has) -> Span* {
-        if constexpr (std::is_base_of_v<Span, Structure>)
+      []<class Structure>(Structure& has) -> Base* {
+        if constexpr (std::is_base_of_v<Base, Structure>)
           return &has;
         else
           return nullptr;
@@ -27,10 +29,18 @@ Span* Scene::span() {
       structure);
 }
 
+}  // namespace
+
+const Span* Scene::span() const { return const_cast<Scene*>(this)->span(); }
+Span* Scene::span() { return structure_as<Span>(structure); }
+const DiscreteStructure* Scene::discrete() const { return const_cast<Scene*>(this)->discrete(); }
+DiscreteStructure* Scene::discrete() { return structure_as<DiscreteStructure>(structure); }
+
 const char* Scene::structure_name() const {
   if (string()) return "string";
   if (bar()) return "bar";
   if (matrices()) return "matrices";
+  if (lumped()) return "lumped";
   return beam() ? "beam" : "modal";
 }
 

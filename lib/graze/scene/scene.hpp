@@ -22,7 +22,7 @@ namespace graze {
 
 enum class Side { kAbove, kBelow };
 enum class Impulse { kMomentum, kCollocation };
-enum class ForcingKind { kBase, kDistributed, kModal };
+enum class ForcingKind { kBase, kDistributed, kModal, kPoint };
 // How the motion between impacts is computed: exactly, or integrated step by step by rk4, dopri5,
 // fehlberg78, or (with a hub) bulirsch-stoer.
 enum class FlowChoice { kAuto, kExact, kRk4, kDopri5, kFehlberg78, kBulirschStoer };
@@ -67,7 +67,11 @@ struct RayleighDamping {
   double mass = 0.0;       // 1/s
   double stiffness = 0.0;  // s
 };
-using Damping = std::variant<ViscousDamping, DampingRatios, RayleighDamping>;
+// The same ratio of all modes.
+struct DampingRatio {
+  double ratio = 0.0;  // zeta
+};
+using Damping = std::variant<ViscousDamping, DampingRatios, RayleighDamping, DampingRatio>;
 
 // A frequency as the scene writes it, in rad/s or in Hz; as a number it is in rad/s.
 struct Frequency {
@@ -88,12 +92,27 @@ struct Frequency {
   }
 };
 
+// A point of the structure.
+struct StructurePoint {
+  double position = 0.0;      // m from the left end (beam, string, bar)
+  std::vector<double> shape;  // phi_j there (modal structure), kg^-1/2
+  // The degree of freedom (matrices) or the mass (lumped), and one that moves with it:
+  // displacements are then those of the first relative to the second.
+  std::string node{}, against{};
+};
+
 // amplitude * cos(frequency t + phase)
 struct Forcing {
   ForcingKind kind = ForcingKind::kBase;
-  double amplitude = 0.0;  // base: m; distributed: N/m; modal: 1
+  double amplitude = 0.0;  // base: m; distributed: N/m; modal: 1; point: N
   Frequency frequency{};   // > 0
   double phase = 0.0;      // rad
+  StructurePoint at{};     // of the kind "point"
+};
+
+// A constant force along +u.
+struct PointLoad : StructurePoint {
+  double force = 0.0;  // N
 };
 
 // Uniform acceleration along +u of every mass element; a constant load of the modes. With a hub it
@@ -138,7 +157,7 @@ struct SpringGeometry {
 // A compliant stop: F = k x^n + C T(x) x'.
 struct Spring {
   double stiffness = 0.0;  // k, N/m^n
-  double exponent = 1.5;   // n
+  double exponent = 1.0;   // n
   std::optional<SpringGeometry> geometry;
   std::optional<SpringDamping> damping;
   Separation release = Separation::kAtZeroForce;
@@ -147,12 +166,9 @@ struct Spring {
   bool is_residual = false;
 };
 
-struct SceneStop {
-  double position = 0.0;      // m from the left end (beam, string, bar)
-  std::vector<double> shape;  // phi_j at the stop (modal structure), kg^-1/2
-  // The degree of freedom that meets it (matrices), and one that moves with it: the gap is then one
-  // between two bodies, closed by the displacement of the first relative to the second.
-  std::string node{}, against{};
+// At the point that meets it; where that is relative to another one, the gap is one between two
+// bodies.
+struct SceneStop : StructurePoint {
   double gap = 0.0;          // m; may be 0 or negative (preload)
   Side side = Side::kAbove;  // above: free while u < gap; below: free while u > -gap
   // r(v) = a0 - a1 v - a2 v^2 - .., v the approach speed; one entry: r is constant. a0 in 0..1,
@@ -174,10 +190,11 @@ inline bool is_of_hub(ProbeQuantity quantity) {
 }
 
 // A quantity at a place, recorded in the time series of a motion.
+// Its place is that of a StructurePoint; results keep it member by member, which a base would hide.
 struct Probe {
-  double position = 0.0;          // m from the left end (beam, string, bar), 0..length
-  std::vector<double> shape;      // phi_j at the place (modal structure), kg^-1/2
-  std::string node{}, against{};  // as of a stop (matrices)
+  double position = 0.0;
+  std::vector<double> shape;
+  std::string node{}, against{};
   ProbeQuantity quantity = ProbeQuantity::kDisplacement;
 };
 
@@ -186,6 +203,10 @@ struct Initial {
   std::vector<double> qdot;  // kg^1/2 m/s, one per mode
   double angle = 0.0;        // rad, of the hub
   double rate = 0.0;         // rad/s
+  // In place of q and qdot, one for each mass or degree of freedom (lumped, matrices in the scene).
+  std::vector<double> displacement{}, velocity{};  // m, m/s
+  std::optional<double> speed{};                   // m/s, of all of the structure, in addition
+  bool in_equilibrium = false;  // in place of displacements: at rest under its constant loads
 };
 
 struct Solver {
@@ -201,11 +222,12 @@ using Origins = std::map<std::string, SourceLocation>;
 struct Scene {
   std::string title;
   Units units = Units::kSi;
-  std::variant<Beam, ModalStructure, TautString, Bar, MatrixStructure> structure;
+  std::variant<Beam, ModalStructure, TautString, Bar, MatrixStructure, LumpedStructure> structure;
   std::optional<Hub> hub{};  // of a beam
   std::optional<Damping> damping;
   std::optional<Forcing> forcing;
   std::optional<Gravity> gravity;
+  std::vector<PointLoad> loads{};
   std::vector<SceneStop> stops;
   std::vector<Probe> probes{};
   std::optional<Initial> initial;
@@ -216,15 +238,19 @@ struct Scene {
   const TautString* string() const { return std::get_if<TautString>(&structure); }
   const Bar* bar() const { return std::get_if<Bar>(&structure); }
   const MatrixStructure* matrices() const { return std::get_if<MatrixStructure>(&structure); }
-  // The modes, given as such or computed from matrices.
+  const LumpedStructure* lumped() const { return std::get_if<LumpedStructure>(&structure); }
+  // Matrices, or masses and springs; null of another structure.
+  const DiscreteStructure* discrete() const;
+  DiscreteStructure* discrete();
+  // The modes, given as such or computed from a discrete structure.
   const ModalStructure* modal() const {
-    if (const MatrixStructure* given = matrices()) return &given->modal;
+    if (const DiscreteStructure* given = discrete()) return &given->modal;
     return std::get_if<ModalStructure>(&structure);
   }
   // The beam, string or bar, or null of another structure.
   const Span* span() const;
   Span* span();
-  // "beam", "string", "bar", "modal" or "matrices", the table that it stands in.
+  // "beam", "string", "bar", "modal", "matrices" or "lumped", the table that it stands in.
   const char* structure_name() const;
   // Number of the structure's modes N; a hub adds its angle to them.
   int modes() const;

@@ -4,11 +4,28 @@
 
 #include "graze/base/errors.hpp"
 #include "graze/scene/detail/numbers.hpp"
+#include "graze/scene/discrete_matrices.hpp"
+#include "graze/scene/matrix_structure.hpp"
 #include "graze/scene/parameter.hpp"
 
 namespace graze {
 
 bool names_start_coordinate(const std::string& name) { return name.starts_with("initial."); }
+
+namespace {
+
+// The displacements, or velocities, of all coordinates that modal ones stand for.
+std::vector<double> coordinates_of(const Scene& scene, const std::vector<double>& modal) {
+  const MatrixModes& found = *scene.discrete()->solved;
+  const Vector free =
+      found.modes.shapes *
+      Eigen::Map<const Vector>(modal.data(), static_cast<Eigen::Index>(modal.size()));
+  std::vector<double> all;
+  for (const auto& [label, row] : found.rows) all.push_back(row >= 0 ? free[row] : 0.0);
+  return all;
+}
+
+}  // namespace
 
 double& start_coordinate(Scene& scene, const std::string& name) {
   const std::optional<Initial> before = scene.initial;
@@ -16,13 +33,23 @@ double& start_coordinate(Scene& scene, const std::string& name) {
   if (!scene.initial) scene.initial.emplace();
   scene.initial->q.resize(modes, 0.0);
   scene.initial->qdot.resize(modes, 0.0);
+  const bool own = has_own_matrices(scene);
+  if (own && name.starts_with("initial.displacement.") && scene.initial->displacement.empty())
+    scene.initial->displacement = coordinates_of(scene, scene.initial->q);
+  if (own && name.starts_with("initial.velocity.") && scene.initial->velocity.empty())
+    scene.initial->velocity = coordinates_of(scene, scene.initial->qdot);
   if (names_start_coordinate(name))
     if (double* number = found_number(scene, name, true)) return *number;
   scene.initial = before;
-  throw InputError(fmt::format(
-      "{}: the scene has no such number of its start; allowed are initial.q.1..{} and "
-      "initial.qdot.1..{}{}",
-      name, scene.modes(), scene.modes(), scene.hub ? ", initial.angle and initial.rate" : ""));
+  const std::string coordinates =
+      own ? fmt::format(", initial.displacement.1..{0} and initial.velocity.1..{0}",
+                        scene.discrete()->solved->momenta.cols())
+          : "";
+  throw InputError(
+      fmt::format("{}: the scene has no such number of its start; allowed are initial.q.1..{} and "
+                  "initial.qdot.1..{}{}{}",
+                  name, scene.modes(), scene.modes(),
+                  scene.hub ? ", initial.angle and initial.rate" : "", coordinates));
 }
 
 Scene with_number(const Scene& scene, const std::string& name, double value) {

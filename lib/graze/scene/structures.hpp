@@ -1,5 +1,5 @@
-// What a scene may have between its stops: a beam, a string, a bar, given modes, or matrices. SI
-// units.
+// What a scene may have between its stops: a beam, a string, a bar, given modes, matrices, or
+// masses and springs. SI units.
 #pragma once
 
 #include <array>
@@ -103,22 +103,54 @@ struct ModalStructure {
 
 struct MatrixModes;  // scene/matrix_structure.hpp
 
-// A structure given by the matrices of its finite-element model, in files. A degree of freedom is
-// named by its number, "7", or by node and direction, "12.3".
-struct MatrixStructure {
+// A structure of discrete coordinates u, M u'' + C u' + K u = f.
+struct DiscreteStructure {
+  int modes = 0;  // the lowest ones, 1..2000; 0: all
+  // What its matrices make of it, by solve_matrices; shared by all copies.
+  std::shared_ptr<const MatrixModes> solved{};
+  ModalStructure modal{};  // the structure as its modes see it
+};
+
+// The rows of a matrix that stands in the scene. Of a mass or a stiffness, which are symmetric,
+// what is below the diagonal is taken from above it.
+using MatrixEntries = std::vector<std::vector<double>>;
+
+// A structure given by the matrices of its model: those of finite elements, in files, or small ones
+// in the scene. A degree of freedom is named by its number, "7", or by node and direction, "12.3".
+struct MatrixStructure : DiscreteStructure {
   std::string mass, stiffness;             // files; of a scene that was read, with their whole path
   std::string damping, dofs, coordinates;  // empty: none
-  int modes = 0;                           // the lowest ones, 1..2000
-  std::vector<std::string> constraints;    // held at zero
+  // In place of files, kg, N/m, N s/m; empty: none.
+  MatrixEntries mass_entries{}, stiffness_entries{}, damping_entries{};
+  std::vector<std::string> constraints;  // held at zero
   std::string constraints_file;
   int direction = 0;  // of base forcing and gravity: 1, 2, 3; 0: of all degrees of freedom
   std::vector<std::string> load;    // where the forcing "load" acts,
   std::vector<double> load_values;  // N per unit of its amplitude; empty: 1 each
   std::string load_file;            // in their place
   std::string checksum;             // SHA-256 of the files; empty: whatever they hold
-  // What the files make of it, by solve_matrices; shared by all copies.
-  std::shared_ptr<const MatrixModes> solved{};
-  ModalStructure modal{};  // the structure as its modes see it
+};
+
+// Between two masses, or a mass and the ground.
+struct LumpedSpring {
+  std::vector<std::string> between;  // two of "0" or "ground", a mass by its number or its name
+  double stiffness = 0.0;            // N/m, >= 0
+  double damping = 0.0;              // N s/m, >= 0: of the dashpot beside it
+};
+
+// Forces across each other's velocity, without work: -coefficient u2' on the first mass and
+// coefficient u1' on the second, as a disc that turns has between its two planes.
+struct GyroscopicPair {
+  std::vector<std::string> between;  // two masses
+  double coefficient = 0.0;          // N s/m
+};
+
+// Masses in a line with springs and dashpots between them.
+struct LumpedStructure : DiscreteStructure {
+  std::vector<double> masses;      // kg, > 0
+  std::vector<std::string> names;  // one for each; empty: their numbers alone
+  std::vector<LumpedSpring> springs;
+  std::vector<GyroscopicPair> gyroscopic;
 };
 
 }  // namespace graze

@@ -183,10 +183,14 @@ void check_residual(const ValueChecker& checker, const Scene& scene) {
   if (scene.hub)
     checker.fail("stiffness",
                  "\"residual\" is not known of a beam that turns with a hub, it must be a number");
-  if (scene.modal() && !scene.matrices())
+  if (scene.modal() && !scene.discrete())
     checker.fail("stiffness",
                  "of a [modal] structure nothing but its modes is known, it must be a number and "
                  "not \"residual\"");
+  if (!scene.loads.empty())
+    checker.fail("stiffness",
+                 "how the modes left out give way to a [[load]] is not known, it must be a number "
+                 "and not \"residual\"");
   if (scene.string() && !scene.string()->frequencies.empty())
     checker.fail("stiffness",
                  "of a string with given frequencies nothing but its modes is known, it must be a "

@@ -6,9 +6,10 @@
 namespace graze {
 namespace {
 
-constexpr const char* kLists[] = {"stop",           "probe",       "beam.piece", "beam.support",
-                                  "beam.mass",      "string.mass", "bar.piece",  "bar.support",
-                                  "string.support", "bar.mass"};
+constexpr const char* kLists[] = {
+    "stop",        "probe",         "beam.piece",       "beam.support",   "beam.mass",
+    "string.mass", "bar.piece",     "bar.support",      "string.support", "bar.mass",
+    "load",        "lumped.spring", "lumped.gyroscopic"};
 
 // The path without the number of its table, where `leave` returns true for that number.
 std::string shortened(const std::string& path, auto&& leave) {

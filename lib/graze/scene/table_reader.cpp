@@ -79,7 +79,7 @@ std::string TableReader::title() const {
     return "a scene";
   }
   const std::size_t spring = path_.find(".spring");
-  if (spring != std::string::npos) {
+  if (path_.starts_with("stop") && spring != std::string::npos) {
     return fmt::format("[stop{}]", path_.substr(spring));
   }
   const std::string table = without_number(path_);
@@ -162,20 +162,15 @@ std::string TableReader::text_or(const std::string& key, const std::string& fall
   return *text;
 }
 
-std::vector<double> TableReader::numbers(const std::string& key, const std::string& what,
-                                         const std::optional<std::string>& unit) const {
+namespace {
+
+// The numbers of a list, about which `key` tells.
+std::vector<double> numbers_of(const NodeList& list, const std::string& key,
+                               const std::optional<std::string>& unit) {
   std::vector<double> values;
-  const Node* node = find(key);
-  if (node == nullptr) {
-    return values;
-  }
-  const auto* list = node->as<NodeList>();
-  if (list == nullptr) {
-    refuse(key, what);
-  }
-  values.reserve(list->size());
-  for (const Node& entry : *list) {
-    const auto entry_key = [&] { return key_path(path(key), std::to_string(values.size() + 1)); };
+  values.reserve(list.size());
+  for (const Node& entry : list) {
+    const auto entry_key = [&] { return key_path(key, std::to_string(values.size() + 1)); };
     const std::optional<double> value = real_value(entry, unit, entry_key);
     if (!value) {
       fail_at(entry.place, entry_key(), refusal(entry, "a number"));
@@ -183,6 +178,39 @@ std::vector<double> TableReader::numbers(const std::string& key, const std::stri
     values.push_back(*value);
   }
   return values;
+}
+
+}  // namespace
+
+std::vector<double> TableReader::numbers(const std::string& key, const std::string& what,
+                                         const std::optional<std::string>& unit) const {
+  const Node* node = find(key);
+  if (node == nullptr) {
+    return {};
+  }
+  const auto* list = node->as<NodeList>();
+  if (list == nullptr) {
+    refuse(key, what);
+  }
+  return numbers_of(*list, path(key), unit);
+}
+
+std::vector<std::vector<double>> TableReader::rows(const std::string& key, const std::string& what,
+                                                   const std::optional<std::string>& unit) const {
+  const auto* list = required(key, what).as<NodeList>();
+  if (list == nullptr) refuse(key, what);
+  std::vector<std::vector<double>> rows;
+  for (const Node& row : *list) {
+    const std::string row_key = key_path(path(key), std::to_string(rows.size() + 1));
+    const auto* entries = row.as<NodeList>();
+    if (entries == nullptr) fail_at(row.place, row_key, refusal(row, "a row, a list of numbers"));
+    rows.push_back(numbers_of(*entries, row_key, unit));
+    if (entries->size() != list->size())
+      fail_at(row.place, row_key,
+              fmt::format("the row has {} entries, it must have {}, as many as there are rows",
+                          entries->size(), list->size()));
+  }
+  return rows;
 }
 
 std::vector<std::size_t> TableReader::words(const std::string& key,
@@ -210,29 +238,32 @@ namespace {
 constexpr const char* kLabelWords =
     "a degree of freedom, \"node.direction\" or a number like \"7\"";
 
-std::string label_of(const Node& node, const std::string& key) {
+std::string label_of(const Node& node, const std::string& key, const char* what) {
   if (const auto* number = node.as<std::int64_t>()) return std::to_string(*number);
   const auto* text = node.as<std::string>();
-  // The set of nodes that a name stands for is looked up where the files are read.
+  // The set of nodes, or the mass, that a name stands for is looked up where all are known.
   const bool is_name =
       text && !text->empty() && std::isalpha(static_cast<unsigned char>((*text)[0]));
   if (text == nullptr || (!is_name && !label_from_text(*text)))
-    fail_at(node.place, key, refusal(node, kLabelWords));
+    fail_at(node.place, key, refusal(node, what));
   return *text;
 }
 
 }  // namespace
 
-std::string TableReader::label(const std::string& key) const {
-  return label_of(required(key, kLabelWords), path(key));
+std::string TableReader::label(const std::string& key, const char* what) const {
+  if (what == nullptr) what = kLabelWords;
+  return label_of(required(key, what), path(key), what);
 }
 
-std::vector<std::string> TableReader::labels(const std::string& key) const {
+std::vector<std::string> TableReader::labels(const std::string& key, const char* what) const {
   std::vector<std::string> values;
-  const auto* list = required(key, "a list of degrees of freedom").as<NodeList>();
-  if (list == nullptr) refuse(key, "a list of degrees of freedom, like [\"12.3\", \"14.3\"]");
+  const auto* list = required(key, what ? what : "a list of degrees of freedom").as<NodeList>();
+  if (list == nullptr)
+    refuse(key, what ? what : "a list of degrees of freedom, like [\"12.3\", \"14.3\"]");
   for (const Node& entry : *list)
-    values.push_back(label_of(entry, key_path(path(key), std::to_string(values.size() + 1))));
+    values.push_back(label_of(entry, key_path(path(key), std::to_string(values.size() + 1)),
+                              what ? "a number or a name" : kLabelWords));
   return values;
 }
 

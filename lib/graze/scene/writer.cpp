@@ -14,6 +14,12 @@ std::string list_text(const std::vector<double>& values) {
   return "[" + entries + "]";
 }
 
+std::string rows_text(const MatrixEntries& rows) {
+  std::string text;
+  for (const std::vector<double>& row : rows) text += (text.empty() ? "" : ", ") + list_text(row);
+  return "[" + text + "]";
+}
+
 // Appends the contents of a table to a text: lines "key = value" or, inline, one after the other.
 class Writer : public SchemaVisitor {
  public:
@@ -33,6 +39,18 @@ class Writer : public SchemaVisitor {
   void list(const Key& key, const std::vector<double>& values) {
     if (key.is_required || !values.empty()) add(key, list_text(values));
   }
+  void values(const Key& key, const std::vector<double>& values) { list(key, values); }
+  void entries(const Key& key, const std::string& file, const MatrixEntries& rows) {
+    if (rows.empty()) {
+      path(key, file);
+      return;
+    }
+    // A parameter moves what is above the diagonal.
+    MatrixEntries whole = rows;
+    for (std::size_t i = 0; key.is_symmetric && i < rows.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) whole[i][j] = rows[j][i];
+    add(key, rows_text(whole));
+  }
   void series(const Key& key, const std::vector<double>& values) {
     add(key, values.size() == 1 ? real_text(values.front()) : list_text(values));
   }
@@ -47,7 +65,10 @@ class Writer : public SchemaVisitor {
   void bodies(const Key& key, const SpringGeometry& geometry, BodyNumbers which) {
     add(key, list_text(body_numbers(geometry, which)));
   }
-  void count(const Key& key, int value) { add(key, std::to_string(value)); }
+  // What is not allowed stands for none.
+  void count(const Key& key, int value) {
+    if (key.is_required || key.range.holds(value)) add(key, std::to_string(value));
+  }
   void flag(const Key& key, bool value) { add(key, value ? "true" : "false"); }
   void text(const Key& key, const std::string& value) {
     if (!value.empty()) add(key, quoted(value));

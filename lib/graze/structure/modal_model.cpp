@@ -6,7 +6,9 @@
 #include "graze/base/linalg/detail/linear_equations.hpp"
 #include "graze/scene/check.hpp"
 #include "graze/scene/closed_modes.hpp"
+#include "graze/scene/discrete_matrices.hpp"
 #include "graze/scene/matrix_structure.hpp"
+#include "graze/structure/detail/discrete_rates.hpp"
 #include "graze/structure/detail/span_modes.hpp"
 
 namespace graze {
@@ -27,6 +29,12 @@ Vector shapes_of(const SpanModes& modes, double x) {
 }
 Vector inertia_of(const SpanModes& modes) {
   return std::visit([](const auto& has) { return has.inertia(); }, modes);
+}
+
+Vector shape_rates_at(const SpanModes& modes, const StructurePoint& point,
+                      const StructurePoint& rate) {
+  return std::visit([&](const auto& has) { return has.shape_rates(point.position, rate.position); },
+                    modes);
 }
 
 Matrix collocation_matrix(const Beam& beam, const SpanModes& modes) {
@@ -65,6 +73,7 @@ Vector decay_rates(const Scene& scene, const Vector& omega) {
   if (!scene.damping) return Vector::Zero(omega.size());
   if (const auto* ratios = std::get_if<DampingRatios>(&*scene.damping))
     return as_vector(ratios->ratios).cwiseProduct(omega);
+  if (const auto* same = std::get_if<DampingRatio>(&*scene.damping)) return same->ratio * omega;
   if (const auto* rayleigh = std::get_if<RayleighDamping>(&*scene.damping))
     return 0.5 * (rayleigh->mass + rayleigh->stiffness * omega.array().square());
   const double eta = std::get<ViscousDamping>(*scene.damping).coefficient;
@@ -77,12 +86,15 @@ Vector decay_tangent(const Scene& scene, const ModalModel& model, const Vector& 
     return Vector(as_vector(rates).cwiseProduct(model.omega) +
                   as_vector(ratios).cwiseProduct(omega_rate));
   };
-  if (damping_of_matrices(scene)) return Vector::Zero(model.omega.size());
+  if (scene.matrices() && damping_of_matrices(scene)) return Vector::Zero(model.omega.size());
   if (const ModalStructure* modal = scene.modal(); modal && !modal->damping_ratios.empty())
     return of_ratios(modal->damping_ratios, direction.modal()->damping_ratios);
   if (!scene.damping) return Vector::Zero(model.omega.size());
   if (const auto* ratios = std::get_if<DampingRatios>(&*scene.damping))
     return of_ratios(ratios->ratios, std::get<DampingRatios>(*direction.damping).ratios);
+  if (const auto* same = std::get_if<DampingRatio>(&*scene.damping))
+    return std::get<DampingRatio>(*direction.damping).ratio * model.omega +
+           same->ratio * omega_rate;
   if (const auto* rayleigh = std::get_if<RayleighDamping>(&*scene.damping)) {
     const auto& rate = std::get<RayleighDamping>(*direction.damping);
     const auto omega = model.omega.array();
@@ -115,6 +127,8 @@ Vector span_inertia_rate(const Scene& scene, const SpanModes& modes, const Vecto
 
 // By collocation a load per length is an acceleration times rho A.
 Vector span_participation(const Scene& scene, const SpanModes& modes, const Matrix& phi) {
+  if (scene.forcing->kind == ForcingKind::kPoint)
+    return shapes_of(modes, scene.forcing->at.position);
   if (scene.forcing->kind != ForcingKind::kDistributed) return span_inertia(scene, modes, phi);
   if (collocates(scene))
     return span_inertia(scene, modes, phi) / mass_per_length(scene, nullptr).value;
@@ -123,6 +137,8 @@ Vector span_participation(const Scene& scene, const SpanModes& modes, const Matr
 
 Vector span_participation_rate(const Scene& scene, const Scene& direction, const SpanModes& modes,
                                const ModalModel& model, const Matrix& phi_rate) {
+  if (scene.forcing->kind == ForcingKind::kPoint)
+    return shape_rates_at(modes, scene.forcing->at, direction.forcing->at);
   const Vector& g = model.participation;
   const bool distributed = scene.forcing->kind == ForcingKind::kDistributed;
   if (distributed && !collocates(scene))
@@ -133,34 +149,72 @@ Vector span_participation_rate(const Scene& scene, const Scene& direction, const
   return rate - g * (mass.rate / mass.value);
 }
 
-// The given numbers of a scene or of its direction, without the damping.
-ModalModel given_numbers(const Scene& scene, const ModalStructure& modal,
-                         const std::vector<SceneStop>& stops) {
+// The given numbers `of` a scene or its direction, without the damping.
+ModalModel given_numbers(const Scene& scene, const Scene& of) {
+  const ModalStructure& modal = *of.modal();
   ModalModel model;
   model.omega = as_vector(modal.frequencies);
   if (scene.forcing)
     model.participation =
-        as_vector(scene.forcing->kind == ForcingKind::kBase ? modal.inertia : modal.participation);
+        as_vector(scene.forcing->kind == ForcingKind::kBase    ? modal.inertia
+                  : scene.forcing->kind == ForcingKind::kPoint ? of.forcing->at.shape
+                                                               : modal.participation);
   if (scene.gravity) model.inertia = as_vector(modal.inertia);
-  for (const SceneStop& stop : stops) model.shapes.emplace_back(as_vector(stop.shape));
+  for (const SceneStop& stop : of.stops) model.shapes.emplace_back(as_vector(stop.shape));
+  for (const PointLoad& load : of.loads) model.loads.emplace_back(as_vector(load.shape));
   return model;
 }
 
 ModalModel given_model(const Scene& scene) {
-  ModalModel model = given_numbers(scene, *scene.modal(), scene.stops);
+  ModalModel model = given_numbers(scene, scene);
   model.delta = decay_rates(scene, model.omega);
+  if (const ModalDamping* damping = damping_of_matrices(scene)) model.coupling = damping->coupling;
   return model;
 }
 
+// Of a structure whose matrices stand in the scene.
+ModalModel discrete_tangent(const Scene& scene, const ModalModel& model, const Scene& direction) {
+  const DiscreteRates rates = discrete_rates(scene, direction);
+  const MatrixModes& modes = *scene.discrete()->solved;
+  ModalModel rate;
+  rate.omega = rates.omega;
+  rate.delta = 0.5 * rates.damping.diagonal();
+  if (scene.damping) rate.delta = decay_tangent(scene, model, rate.omega, direction);
+  Matrix coupling = rates.damping;
+  coupling.diagonal().setZero();
+  if (model.coupling.size() > 0 || coupling.norm() > kProportionalExactly * rates.damping.norm())
+    rate.coupling = std::move(coupling);
+  const auto of_point = [&](Eigen::Index k) -> Vector {
+    return rates.shapes.transpose() * modes.points.col(k);
+  };
+  Eigen::Index next = 0;
+  for (std::size_t i = 0; i < scene.stops.size(); ++i) rate.shapes.push_back(of_point(next++));
+  for (std::size_t i = 0; i < scene.loads.size(); ++i) rate.loads.push_back(of_point(next++));
+  const int along = scene.matrices() ? scene.matrices()->direction : 0;
+  if (scene.gravity) rate.inertia = rates.inertia.at(along);
+  if (!scene.forcing) return rate;
+  if (scene.forcing->kind == ForcingKind::kPoint)
+    rate.participation = of_point(next);
+  else if (scene.forcing->kind == ForcingKind::kBase)
+    rate.participation = rates.inertia.at(along);
+  else
+    rate.participation = rates.shapes.transpose() * modes.load;
+  return rate;
+}
+
 ModalModel given_tangent(const Scene& scene, const ModalModel& model, const Scene& direction) {
-  ModalModel rate = given_numbers(scene, *direction.modal(), direction.stops);
-  if (scene.matrices()) {  // No parameter moves what they give.
+  if (has_own_matrices(scene)) return discrete_tangent(scene, model, direction);
+  ModalModel rate = given_numbers(scene, direction);
+  if (scene.matrices()) {  // No parameter moves what files give.
     rate.omega.setZero();
     rate.participation.setZero();
     rate.inertia.setZero();
     for (Vector& shape : rate.shapes) shape.setZero();
+    for (Vector& shape : rate.loads) shape.setZero();
   }
   rate.delta = decay_tangent(scene, model, rate.omega, direction);
+  if (model.coupling.size() > 0)
+    rate.coupling = Matrix::Zero(model.coupling.rows(), model.coupling.cols());
   return rate;
 }
 
@@ -195,6 +249,7 @@ ModalModel modal_model(const Scene& scene) {
   if (scene.forcing) model.participation = span_participation(scene, modes, model.collocation);
   if (scene.gravity) model.inertia = span_inertia(scene, modes, model.collocation);
   for (const SceneStop& stop : scene.stops) model.shapes.push_back(shapes_of(modes, stop.position));
+  for (const PointLoad& load : scene.loads) model.loads.push_back(shapes_of(modes, load.position));
   if (const auto* found = std::get_if<ElementModes>(&modes)) model.elements = found->accuracy();
   return model;
 }
@@ -213,11 +268,9 @@ ModalModel modal_tangent(const Scene& scene, const ModalModel& model, const Scen
     rate.inertia =
         span_inertia_rate(scene, modes, model.inertia, model.collocation, rate.collocation);
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
-    rate.shapes.push_back(std::visit(
-        [&](const auto& has) {
-          return has.shape_rates(scene.stops[i].position, direction.stops[i].position);
-        },
-        modes));
+    rate.shapes.push_back(shape_rates_at(modes, scene.stops[i], direction.stops[i]));
+  for (std::size_t i = 0; i < scene.loads.size(); ++i)
+    rate.loads.push_back(shape_rates_at(modes, scene.loads[i], direction.loads[i]));
   return rate;
 }
 

@@ -1,10 +1,12 @@
 // A structure as its mass-normalised modes see it:
 //
-//   q_j'' + 2 delta_j q_j' + omega_j^2 q_j = participation_j * (load) + inertia_j * (gravity),
+//   q_j'' + 2 delta_j q_j' + sum_i coupling_ji q_i' + omega_j^2 q_j
+//       = participation_j * (load) + inertia_j * (gravity) + sum_k loads_kj * (force k),
 //   u(x, t) = sum phi_j(x) q_j
 //
 // Damping acts on the velocity relative to the clamp. The load's unit is that of the forcing:
-// uniform acceleration for `base`, force per length for `distributed`, 1 for `modal`. Gravity is a
+// uniform acceleration for `base`, force per length for `distributed`, force
+// for `point`, 1 for `modal`. Gravity is a
 // uniform acceleration along +u, projected like the load.
 #pragma once
 
@@ -20,9 +22,11 @@ namespace graze {
 struct ModalModel {
   Vector omega;          // natural frequencies, rad/s, N
   Vector delta;          // decay rates, 1/s, N
+  Matrix coupling;       // of the damping, 1/s, N x N with a zero diagonal; empty: none
   Vector participation;  // modal force per unit load, N; empty without forcing
   Vector inertia;  // modal force per unit of uniform acceleration, kg^1/2, N; empty: no gravity
   std::vector<Vector> shapes;  // phi_j at each stop, kg^-1/2, N each
+  std::vector<Vector> loads;   // phi_j at each constant force, kg^-1/2, N each
   Matrix collocation;          // Phi_ij = phi_j(x_i), N x N; empty where nothing collocates
   // nullopt when the modes have a closed form or are given.
   std::optional<ElementAccuracy> elements;

@@ -4,7 +4,9 @@
 #include <limits>
 
 #include "graze/base/linalg/detail/products.hpp"
+#include "graze/scene/discrete_matrices.hpp"
 #include "graze/scene/matrix_structure.hpp"
+#include "graze/structure/detail/discrete_rates.hpp"
 #include "graze/structure/detail/line_modes.hpp"
 #include "graze/structure/detail/line_statics.hpp"
 
@@ -67,8 +69,8 @@ StaticResponse response_of_modes_rate(const ModalModel& model, const ModalModel&
 // Bounds on the relative error of (phi/w)^2, from that of each frequency.
 Vector square_errors(const Scene& scene, const ModalModel& model) {
   Vector errors = Vector::Constant(model.omega.size(), kRoundings * kEpsilon);
-  if (scene.matrices()) {
-    const StructuralModes& modes = scene.matrices()->solved->modes;
+  if (scene.discrete()) {
+    const StructuralModes& modes = scene.discrete()->solved->modes;
     for (Index j = 0; j < errors.size(); ++j)
       if (modes.omega[j] > 0.0)
         errors[j] += kRoundings * modes.square_roundings[j] / (modes.omega[j] * modes.omega[j]);
@@ -84,7 +86,7 @@ Vector square_errors(const Scene& scene, const ModalModel& model) {
 
 std::optional<StaticResponse> static_response(const Scene& scene) {
   if (scene.hub) return {};
-  if (const MatrixStructure* matrices = scene.matrices()) {
+  if (const DiscreteStructure* matrices = scene.discrete()) {
     StaticResponse response{matrices->solved->flexibility, {}};
     if (scene.gravity) response.under_gravity = matrices->solved->under_gravity;
     return response;
@@ -110,7 +112,11 @@ StaticResponse residual_response(const StaticResponse& whole, const ModalModel& 
 StaticResponse residual_response_rate(const Scene& scene, const Scene& direction,
                                       const ModalModel& model, const ModalModel& rate) {
   StaticResponse whole;
-  if (scene.matrices()) {  // No parameter moves what matrices give.
+  if (has_own_matrices(scene)) {
+    DiscreteRates rates = discrete_rates(scene, direction);
+    whole.flexibility = std::move(rates.flexibility);
+    if (scene.gravity) whole.under_gravity = std::move(rates.under_gravity);
+  } else if (scene.matrices()) {  // No parameter moves what files give.
     whole.flexibility.setZero(static_cast<Index>(scene.stops.size()),
                               static_cast<Index>(scene.stops.size()));
     if (scene.gravity) whole.under_gravity.setZero(static_cast<Index>(scene.stops.size()));
@@ -132,13 +138,13 @@ Vector residual_uncertainty(const Scene& scene, const StaticResponse& whole,
   const Matrix squares = shares(model.shapes, model.omega).cwiseAbs2();
   const Vector of_modes = squares * square_errors(scene, model);
   const Vector size = whole.flexibility.diagonal().cwiseAbs();
-  if (!scene.matrices()) return of_modes + kRoundings * kEpsilon * size;
-  const Vector& roundings = scene.matrices()->solved->modes.static_roundings;
+  if (!scene.discrete()) return of_modes + kRoundings * kEpsilon * size;
+  const Vector& roundings = scene.discrete()->solved->modes.static_roundings;
   return of_modes + kRoundings * roundings.head(size.size());
 }
 
 int free_motions(const Scene& scene, const ModalModel& model) {
-  if (scene.matrices()) return scene.matrices()->solved->modes.free_motions;
+  if (scene.discrete()) return scene.discrete()->solved->modes.free_motions;
   if (model.elements) return model.elements->rigid;
   return static_cast<int>((model.omega.array() == 0.0).count());
 }

@@ -1,12 +1,13 @@
 // The assembled hybrid system, immutable once made:
 //
-//   q'' + 2 delta q' + omega^2 q = amplitude cos(frequency t + phase) + load    in free flight
+//   q'' + D q' + omega^2 q = amplitude cos(frequency t + phase) + load          in free flight
 //   gap_i - row_i.q >= 0,   q'+ = q'- - (1 + r_i) direction_i (row_i.q'-)       at stop i,
 //   or, at a compliant one,  q'' = .. - row_i F_i(x_i, x_i'),  x_i = row_i.q - gap_i > 0
 //
-// Every harmonic effect is folded into these numbers; effects that are absent are not stored. The
-// numbers may come from a scene (assembly.hpp) or from a program's own model. The row points into
-// the stop, so that row.q' > 0 approaches it on either side.
+// with D = diag(2 delta), where the damping couples no modes. Every harmonic effect is folded into
+// these numbers; effects that are absent are not stored. The numbers may come from a scene
+// (assembly.hpp) or from a program's own model. The row points into the stop, so that row.q' > 0
+// approaches it on either side.
 #pragma once
 
 #include <algorithm>
@@ -59,11 +60,13 @@ struct State {
   Vector qdot;  // kg^1/2 m/s, N
 };
 
-// A structure that moves in its natural modes, each by itself between impacts.
+// A structure that moves in its natural modes, each by itself between impacts unless damping
+// couples them.
 struct NaturalModes {
-  Vector delta;  // 1/s, N
+  Vector delta;  // 1/s, N: half the diagonal of D
   std::optional<HarmonicForcing> forcing{};
-  std::optional<Vector> load{};  // constant modal force (gravity), kg^1/2 m/s^2, N
+  std::optional<Vector> load{};      // constant modal force (gravity), kg^1/2 m/s^2, N
+  std::optional<Matrix> coupling{};  // the rest of D, 1/s, N x N with a zero diagonal
 };
 
 struct System {
@@ -93,6 +96,24 @@ struct System {
   const HarmonicForcing* forcing() const {
     return !turns() && modal().forcing ? &*modal().forcing : nullptr;
   }
+  // Null where each mode moves by itself, and with a rotating hub.
+  const Matrix* coupling() const {
+    return !turns() && modal().coupling ? &*modal().coupling : nullptr;
+  }
+  // D, and D q'. Both require a structure without a rotating hub.
+  Matrix damping() const {
+    Matrix all = coupling() ? *coupling() : Matrix(Matrix::Zero(modes(), modes()));
+    all.diagonal() += 2.0 * delta();
+    return all;
+  }
+  Vector resistance(const Vector& qdot) const {
+    Vector force = 2.0 * delta().cwiseProduct(qdot);
+    if (coupling()) force += *coupling() * qdot;
+    return force;
+  }
+  // Whether all stops are rigid and each mode moves by itself between impacts, so that orbits are
+  // equations for their impacts alone. The others are followed.
+  bool has_modal_flights() const { return !has_compliant_stop() && !coupling(); }
   const Vector* load() const { return !turns() && modal().load ? &*modal().load : nullptr; }
   // T = 2 pi/frequency, s; infinite without forcing.
   double period() const {

@@ -1,8 +1,45 @@
 #include "graze/bifurcation/problem/detail/response_equations.hpp"
 
-#include "graze/flow/held/detail/exact_phase.hpp"
+#include "graze/flow/held/detail/held_exactly.hpp"
+#include "graze/flow/variation/detail/deviation.hpp"
 
 namespace graze {
+namespace {
+
+// The free motion over a period less the identity, from each displacement and each velocity, in
+// units of the scale.
+Matrix free_growth(const System& free, double period, const MotionScale& scale) {
+  const Eigen::Index n = free.modes();
+  const Vector rest = Vector::Zero(n);
+  Matrix map = Matrix::Zero(2 * n, 2 * n);
+  if (free.coupling()) {
+    const std::unique_ptr<ExactPhase<double>> phase = exact_phase(free, {});
+    phase->start(0.0, rest, rest, 0.0);
+    Deviations unit{Matrix::Zero(n, 2 * n), Matrix::Zero(n, 2 * n),
+                    Eigen::RowVectorXd::Zero(2 * n)};
+    unit.q.leftCols(n).diagonal().setConstant(scale.displacement);
+    unit.qdot.rightCols(n).diagonal() = scale.velocity;
+    const Deviations change = growth(*phase, period, unit);
+    map << change.q / scale.displacement, scale.velocity.cwiseInverse().asDiagonal() * change.qdot;
+    return map;
+  }
+  FreePhase<double> phase(free, {});
+  Vector q(n), qdot(n);
+  for (const bool of_velocity : {false, true}) {
+    const Vector displaced = Vector::Constant(n, of_velocity ? 0.0 : scale.displacement);
+    const Vector moving = of_velocity ? scale.velocity : rest;
+    phase.start(0.0, displaced, moving, 0.0);
+    phase.state(period, q, qdot);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const Eigen::Index from = of_velocity ? n + j : j;
+      map(j, from) = q[j] / scale.displacement;
+      map(n + j, from) = qdot[j] / scale.velocity[j];
+    }
+  }
+  return map - Matrix::Identity(2 * n, 2 * n);
+}
+
+}  // namespace
 
 ResponseEquations::ResponseEquations(const Scene& scene, const std::vector<std::string>& parameters,
                                      const MotionScale& scale)
@@ -38,22 +75,8 @@ std::optional<ShootingLinearisation> ResponseEquations::linearise(
   free.stops.clear();
   free.modal().forcing.reset();
   free.modal().load.reset();
-  FreePhase<double> phase(free, {});
-  Matrix map = Matrix::Zero(2 * n, 2 * n);
-  Vector q(n), qdot(n);
-  for (const bool of_velocity : {false, true}) {
-    const Vector displaced = Vector::Constant(n, of_velocity ? 0.0 : scale_.displacement);
-    const Vector moving = of_velocity ? scale_.velocity : Vector(Vector::Zero(n));
-    phase.start(0.0, displaced, moving, 0.0);
-    phase.state(system.period(), q, qdot);
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const Eigen::Index from = of_velocity ? n + j : j;
-      map(j, from) = q[j] / scale_.displacement;
-      map(n + j, from) = qdot[j] / scale_.velocity[j];
-    }
-  }
   ShootingLinearisation sum;
-  sum.jacobian = map - Matrix::Identity(2 * n, 2 * n);
+  sum.jacobian = free_growth(free, system.period(), scale_);
   sum.residual = sum.jacobian * (u - packed(*response, frequency));
   sum.closing = -Matrix::Identity(2 * n, 2 * n);
   sum.by_parameters.resize(2 * n, static_cast<Eigen::Index>(tangents.size()));

@@ -39,7 +39,7 @@ class OrbitTracer {
         branches_(family, options, shown, result_) {
     result_.parameter = family.parameter();
     const System own = *family.at(family.value());
-    compliant_ = own.has_compliant_stop();
+    followed_ = !own.has_modal_flights();
     const State at_rest{Vector::Zero(own.modes()), Vector::Zero(own.modes())};
     closure_speed_ = options.finder.closure_speed.value_or(default_closure_speed(
         own, clear_start(family.scene(), own).value_or(at_rest), family.scene().solver.tolerance));
@@ -59,12 +59,12 @@ class OrbitTracer {
         put_in_order(branches_.take(), Components(highest_ - lowest_, speed_scale),
                      [this](const OrbitBranch& branch) { return connected_set(branch); });
     // The result of the simulation is reported only where it explains that there is nothing else.
-    if (!result_.branches.empty() && !compliant_) {
+    if (!result_.branches.empty() && !followed_) {
       result_.notes.clear();
       result_.details.clear();
     }
     // Reported only when something may be missing.
-    if (options_.impacts == 1 && !options_.start && !compliant_)
+    if (options_.impacts == 1 && !options_.start && !followed_)
       (result_.sought.complete() ? result_.details : result_.notes)
           .push_back(in_words(result_.sought, family_.parameter(), options_.period));
     for (const std::string& note : branches_.notes()) result_.notes.push_back(note);
@@ -81,11 +81,11 @@ class OrbitTracer {
     quick.from_simulation = quick.from_random = false;
     slow.from_closed_form = false;
     const std::vector<FinderOptions> rounds =
-        compliant_ ? std::vector{quick, slow} : std::vector{all};
+        followed_ ? std::vector{quick, slow} : std::vector{all};
     for (std::size_t i = 0; i < rounds.size(); ++i)
       trace_from_values(rounds[i], static_cast<double>(i), static_cast<double>(rounds.size()));
     if (options_.start_values > 0 && options_.finder.from_closed_form && options_.impacts == 1 &&
-        !compliant_)
+        !followed_)
       trace_from_surveys();
     result_.sought.stopped = options_.stop.requested();
   }
@@ -130,7 +130,7 @@ class OrbitTracer {
       }
       for (const Orbit& orbit : taken(std::move(found[i])))
         if (!options_.stop.requested()) branches_.trace_from(orbit, values[i]);
-      if (options_.sticking && finder.from_simulation && !compliant_) trace_sticking(values[i]);
+      if (options_.sticking && finder.from_simulation && !followed_) trace_sticking(values[i]);
     }
   }
 
@@ -199,15 +199,15 @@ class OrbitTracer {
     finder.impacts = options_.impacts;
     // With one impact, and with more than two, solutions are counted where they lie; with two all
     // orbits are found even if virtual solutions are not kept.
-    finder.keep_virtual = !compliant_ && (options_.keep_virtual || options_.impacts != 2);
+    finder.keep_virtual = !followed_ && (options_.keep_virtual || options_.impacts != 2);
     finder.sticking = options_.sticking;
     finder.stop = options_.stop;
     // Random guesses cost more than all else; at other values they replace a missing closed form.
-    if (!first && (compliant_ ||
+    if (!first && (followed_ ||
                    (options_.impacts == 1 && finder.from_closed_form && has_closed_forms(*system))))
       finder.from_random = false;
     std::optional<State> start;
-    if (first || options_.impacts > 1 || compliant_) start = clear_start(family_.scene(), *system);
+    if (first || options_.impacts > 1 || followed_) start = clear_start(family_.scene(), *system);
     finder.closure_speed = closure_speed_;
     return find_orbits(*system, start, finder);
   }
@@ -216,13 +216,12 @@ class OrbitTracer {
   std::vector<Orbit> taken(std::optional<FoundOrbits> found) {
     if (!found) return {};
     // On rigid stops alone orbits that stick have a search of their own.
-    if (!compliant_)
-      std::erase_if(found->orbits, [](const Orbit& orbit) { return orbit.sticks(); });
+    if (!followed_) std::erase_if(found->orbits, [](const Orbit& orbit) { return orbit.sticks(); });
     if (result_.notes.empty()) {
       result_.notes = std::move(found->notes);
       result_.details = std::move(found->details);
     }
-    if (!compliant_) {
+    if (!followed_) {
       result_.starts += found->inadmissible;
       result_.virtual_starts += found->inadmissible;
     }
@@ -290,7 +289,7 @@ class OrbitTracer {
   const SystemFamily& family_;
   const BranchOptions& options_;
   double lowest_, highest_;
-  bool compliant_ = false;      // a stop is
+  bool followed_ = false;       // orbits are, and not solved by their impacts
   double closure_speed_ = 0.0;  // m/s; as asked for, or by the scene's tolerance
   OrbitBranches result_;
   BranchCollector branches_;

@@ -13,14 +13,45 @@ bool proportional_damping(const System& system) {
       .has_value();
 }
 
+namespace {
+
+// Of a structure that no stop holds, in its natural modes.
+CoupledSystem free_system(const LinearSystem<double>& whole) {
+  const Eigen::Index n = whole.omega.size();
+  CoupledSystem coupled{whole.omega.cwiseAbs2().asDiagonal(),
+                        whole.coupling,
+                        Vector::Zero(n),
+                        Vector::Zero(n),
+                        0.0,
+                        {}};
+  coupled.damping.diagonal() += 2.0 * whole.delta;
+  if (whole.load.size() > 0) coupled.load = whole.load;
+  if (whole.forced) coupled.force = whole.amplitude;
+  return coupled;
+}
+
+void scale_rates(const ConstrainedStructure<double>& held, CoupledSystem& coupled) {
+  coupled.frequency = held.whole.forced ? held.whole.frequency : 0.0;
+  const double slowest = std::max(held.whole.frequency, 1e-3 * held.reduced.omega.maxCoeff());
+  coupled.scale = held.reduced.omega.cwiseMax(slowest > 0.0 ? slowest : 1.0);
+}
+
+}  // namespace
+
 CoupledSystem couple(ConstrainedStructure<double>& held) {
+  CoupledSystem coupled;
+  if (held.is_free()) {
+    coupled = free_system(held.whole);
+    scale_rates(held, coupled);
+    return coupled;
+  }
   const Eigen::Index n = held.rows.rows(), m = held.size();
   // Left inverse of the basis that is orthogonal to the directions: Z^T U = I, Z^T D = 0.
   Matrix whole(n, n);
   whole << held.basis, held.directions;
   const Matrix left = LuFactors(whole).inverse().topRows(m);
-  CoupledSystem coupled;
   coupled.damping = left * (2.0 * held.whole.delta).asDiagonal() * held.basis;
+  if (held.whole.coupling.size() > 0) coupled.damping += left * held.whole.coupling * held.basis;
   if (held.is_normal) {
     coupled.stiffness = held.reduced.omega.cwiseAbs2().asDiagonal();
     coupled.load = held.balanced_load();
@@ -40,9 +71,7 @@ CoupledSystem couple(ConstrainedStructure<double>& held) {
     }
   }
   coupled.force = held.whole.forced ? Vector(left * held.whole.amplitude) : Vector(Vector::Zero(m));
-  coupled.frequency = held.whole.forced ? held.whole.frequency : 0.0;
-  const double slowest = std::max(held.whole.frequency, 1e-3 * held.reduced.omega.maxCoeff());
-  coupled.scale = held.reduced.omega.cwiseMax(slowest > 0.0 ? slowest : 1.0);
+  scale_rates(held, coupled);
   return coupled;
 }
 

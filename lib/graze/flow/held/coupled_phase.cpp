@@ -36,7 +36,8 @@ bool CoupledPhase::set_curve(ArcCurve<double>& curve, const Observable<double>& 
 }
 
 std::unique_ptr<ExactPhase<double>> exact_phase(const System& system, const PhaseKey& key) {
-  if (key.closed.empty()) return std::make_unique<FreePhase<double>>(system, key);
+  if (key.closed.empty() && !system.coupling())
+    return std::make_unique<FreePhase<double>>(system, key);
   ConstrainedStructure<double> structure(system, key.closed);
   if (structure.has_real_modes)
     return std::make_unique<ConstrainedPhase<double>>(system, key, std::move(structure));

@@ -102,11 +102,6 @@ LinearSpringPhase::LinearSpringPhase(const System& system, const PhaseKey& key,
   }
 }
 
-// Springs with dashpots lose energy; growth can only come from an oblique law.
-std::string LinearSpringPhase::refusal() const {
-  return closed().empty() ? std::string() : flow().instability();
-}
-
 // An arc at the same start serves both decisions at an instant and the motion from there.
 void LinearSpringPhase::start(const double& theta, const Vector& q, const Vector& qdot,
                               const double& /*time*/) {

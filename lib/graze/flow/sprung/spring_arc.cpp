@@ -109,11 +109,20 @@ ForcesAtStart forces_at_start(const ConstrainedStructure<double>& structure,
     if (structure.is_free()) return acceleration;
     return acceleration - structure.directions * (structure.shares.transpose() * acceleration);
   };
+  const auto resistance = [&](const Vector& velocity) -> Vector {
+    Vector force = 2.0 * free.delta.cwiseProduct(velocity);
+    if (free.coupling.size() > 0) force += free.coupling * velocity;
+    return force;
+  };
+  const auto resistance_size = [&](const Vector& velocity) -> Vector {
+    Vector size = 2.0 * free.delta.cwiseProduct(velocity.cwiseAbs());
+    if (free.coupling.size() > 0) size += free.coupling.cwiseAbs() * velocity.cwiseAbs();
+    return size;
+  };
   const Vector push = spring_push(equations, depths, qdot);
   ForcesAtStart at;
-  at.force = -2.0 * free.delta.cwiseProduct(qdot) - stiffness.cwiseProduct(q) - push;
-  at.size = 2.0 * free.delta.cwiseProduct(qdot.cwiseAbs()) + stiffness.cwiseProduct(q.cwiseAbs()) +
-            push.cwiseAbs();
+  at.force = -resistance(qdot) - stiffness.cwiseProduct(q) - push;
+  at.size = resistance_size(qdot) + stiffness.cwiseProduct(q.cwiseAbs()) + push.cwiseAbs();
   if (free.load.size() > 0) {
     at.force += free.load;
     at.size += free.load.cwiseAbs();
@@ -124,10 +133,9 @@ ForcesAtStart forces_at_start(const ConstrainedStructure<double>& structure,
   }
   at.acceleration = held_back(at.force);
   const Vector push_rate = spring_push_rate(equations, depths, qdot, at.acceleration);
-  at.force_rate =
-      -2.0 * free.delta.cwiseProduct(at.acceleration) - stiffness.cwiseProduct(qdot) - push_rate;
-  at.rate_size = 2.0 * free.delta.cwiseProduct(at.acceleration.cwiseAbs()) +
-                 stiffness.cwiseProduct(qdot.cwiseAbs()) + push_rate.cwiseAbs();
+  at.force_rate = -resistance(at.acceleration) - stiffness.cwiseProduct(qdot) - push_rate;
+  at.rate_size = resistance_size(at.acceleration) + stiffness.cwiseProduct(qdot.cwiseAbs()) +
+                 push_rate.cwiseAbs();
   if (free.forced) {
     at.force_rate -= free.frequency * std::sin(theta) * free.amplitude;
     at.rate_size += free.frequency * free.amplitude.cwiseAbs();

@@ -59,7 +59,7 @@ void SprungPhase::add_powers(const System& system) {
   SprungSystem::Powers& powers = equations_.powers.emplace();
   powers.forcing = Vector::Zero(basis.cols());
   if (system.forcing()) powers.forcing = basis.transpose() * system.forcing()->amplitude;
-  powers.damping = basis.transpose() * (2.0 * system.delta()).asDiagonal() * basis;
+  powers.damping = basis.transpose() * system.damping() * basis;
   for (const int i : structure_.constrained) {
     const Stop& stop = system.stops[static_cast<std::size_t>(i)];
     // A contact force of 1 N accelerates by -direction |row|^2.

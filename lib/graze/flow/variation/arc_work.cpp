@@ -194,6 +194,9 @@ void add_coupled(const System& system, const ExactPhase<double>& phase, double s
   const Matrix velocity = basis * moments.integral.middleRows(m, m);
   const Vector squares = velocity.middleCols(m, m).cwiseProduct(basis).rowwise().sum();
   work.dissipation += 2.0 * system.delta().dot(squares);
+  if (system.coupling())
+    work.dissipation +=
+        system.coupling()->cwiseProduct(velocity.middleCols(m, m) * basis.transpose()).sum();
   if (system.forcing())
     work.forcing += system.forcing()->amplitude.dot(velocity.col(2 * m)) / moments.unit;
   for (const int i : phase.closed()) {

@@ -59,7 +59,7 @@ Vector or_zero(const Vector* vector, Index n) { return vector ? *vector : Vector
 Equations equations_of(const System& system, const std::vector<SpringRates>& springs,
                        const Vector& q) {
   const Vector stiffness = system.omega.cwiseAbs2();
-  Equations all{stiffness.asDiagonal(), (2.0 * system.delta()).asDiagonal(),
+  Equations all{stiffness.asDiagonal(), system.damping(),
                 or_zero(system.load(), q.size()) - stiffness.cwiseProduct(q),
                 system.forcing()->amplitude, system.forcing()->frequency};
   for (const SpringRates& spring : springs) {
@@ -74,7 +74,7 @@ Equations equations_of(const System& system, const std::vector<SpringRates>& spr
 Equations rates_of(const System& system, const System& tangent,
                    const std::vector<SpringRates>& springs, const Vector& q) {
   const Vector stiffness = 2.0 * system.omega.cwiseProduct(tangent.omega);
-  Equations all{stiffness.asDiagonal(), (2.0 * tangent.delta()).asDiagonal(),
+  Equations all{stiffness.asDiagonal(), tangent.damping(),
                 or_zero(tangent.load(), q.size()) - stiffness.cwiseProduct(q),
                 tangent.forcing()->amplitude, tangent.forcing()->frequency};
   for (const SpringRates& spring : springs) {

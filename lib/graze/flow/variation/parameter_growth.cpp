@@ -91,17 +91,23 @@ ParameterGrowth free_growth(const System& system, const System& tangent,
   return growth;
 }
 
-// The held motion in all N coordinates, q'' = P (load + Re(force e^{i theta}) - 2 delta q' - w^2 q)
-// with P = 1 - D (B^T D)^-1 B^T, as x' = A x on x = (rates * q, q', cos theta, sin theta, 1); and
-// the derivative of A by the parameter. Constraints are integrals of it, so they are kept.
+// The motion, held or with coupled modes, in all N coordinates, q'' = P (load + Re(force e^{i
+// theta})
+// - D q' - w^2 q) with P = 1 - D (B^T D)^-1 B^T, as x' = A x on x = (rates * q, q', cos theta, sin
+// theta, 1); and the derivative of A by the parameter. Constraints are integrals of it, so they are
+// kept.
 class ConstrainedGenerator {
  public:
   ConstrainedGenerator(const System& system, const System& tangent, const std::vector<int>& closed)
       : n_(system.modes()), rates_(system.omega.cwiseMax(system.forcing()->frequency)) {
-    const Matrix directions = directions_of(system, closed), share = contact_share(system, closed);
-    const Matrix projection = Matrix::Identity(n_, n_) - directions * share;
-    const Matrix projection_rate = -directions_of(tangent, closed) * share -
-                                   directions * contact_share_rate(system, tangent, closed);
+    Matrix projection = Matrix::Identity(n_, n_), projection_rate = Matrix::Zero(n_, n_);
+    if (!closed.empty()) {
+      const Matrix directions = directions_of(system, closed);
+      const Matrix share = contact_share(system, closed);
+      projection -= directions * share;
+      projection_rate = -directions_of(tangent, closed) * share -
+                        directions * contact_share_rate(system, tangent, closed);
+    }
     const Matrix forces = forces_of(system), forces_rate = forces_rate_of(system, tangent);
     generator_ = Matrix::Zero(size(), size());
     generator_.topRows(n_).middleCols(n_, n_) = rates_.asDiagonal();
@@ -140,7 +146,7 @@ class ConstrainedGenerator {
   Matrix forces_of(const System& system) const {
     Matrix forces = Matrix::Zero(n_, size());
     forces.leftCols(n_) = (-system.omega.cwiseAbs2().cwiseQuotient(rates_)).asDiagonal();
-    forces.middleCols(n_, n_) = (-2.0 * system.delta()).asDiagonal();
+    forces.middleCols(n_, n_) = -system.damping();
     forces.col(2 * n_) = system.forcing()->amplitude;
     if (system.load()) forces.col(2 * n_ + 2) = *system.load();
     return forces;
@@ -150,7 +156,7 @@ class ConstrainedGenerator {
     Matrix forces = Matrix::Zero(n_, size());
     forces.leftCols(n_) =
         (-2.0 * system.omega.cwiseProduct(tangent.omega).cwiseQuotient(rates_)).asDiagonal();
-    forces.middleCols(n_, n_) = (-2.0 * tangent.delta()).asDiagonal();
+    forces.middleCols(n_, n_) = -tangent.damping();
     forces.col(2 * n_) = tangent.forcing()->amplitude;
     if (tangent.load()) forces.col(2 * n_ + 2) = *tangent.load();
     return forces;
@@ -183,7 +189,8 @@ class ConstrainedGenerator {
 ParameterGrowth parameter_growth(const System& system, const System& tangent,
                                  const ExactPhase<double>& phase, const State& start, double theta,
                                  double s, const Deviations& column) {
-  if (phase.closed().empty()) return free_growth(system, tangent, phase, start, theta, s, column);
+  if (phase.closed().empty() && !system.coupling() && !tangent.coupling())
+    return free_growth(system, tangent, phase, start, theta, s, column);
   return ConstrainedGenerator(system, tangent, phase.closed()).growth(start, theta, s, column);
 }
 

@@ -38,7 +38,7 @@ std::optional<SprungSystem> constrained_system(const System& system, const Sprin
   const Matrix held = projection(system, phase.closed());
   const Vector none = Vector::Zero(system.modes());
   sprung.stiffness = held * system.omega.cwiseAbs2().asDiagonal();
-  sprung.damping = held * (2.0 * system.delta()).asDiagonal();
+  sprung.damping = held * system.damping();
   sprung.load = system.load() ? Vector(held * *system.load()) : none;
   sprung.force = system.forcing() ? Vector(held * system.forcing()->amplitude) : none;
   sprung.frequency = system.forcing() ? system.forcing()->frequency : 0.0;
@@ -71,6 +71,7 @@ struct Source {
     Vector push = tangent.forcing()->amplitude * cosine -
                   2.0 * (tangent.delta().cwiseProduct(v) +
                          system.omega.cwiseProduct(tangent.omega).cwiseProduct(q));
+    if (tangent.coupling()) push -= *tangent.coupling() * v;
     if (tangent.load()) push += *tangent.load();
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       if (!own.springs[i].loaded) continue;
@@ -96,7 +97,7 @@ struct Source {
   // The forces on the structure except those of its closed stops.
   Vector unheld(const Vector& q, const Vector& v, double cosine, const SprungSystem& own,
                 const std::vector<Sprung::Compression>& contacts) const {
-    Vector push = system.forcing()->amplitude * cosine - 2.0 * system.delta().cwiseProduct(v) -
+    Vector push = system.forcing()->amplitude * cosine - system.resistance(v) -
                   system.omega.cwiseAbs2().cwiseProduct(q);
     if (system.load()) push += *system.load();
     for (std::size_t i = 0; i < contacts.size(); ++i)

@@ -168,8 +168,8 @@ Matrix FlowMatrix::times(const Matrix& right) const {
 }
 
 State vector_field(const System& system, const State& state, double theta) {
-  Vector acceleration = -2.0 * system.delta().cwiseProduct(state.qdot) -
-                        system.omega.cwiseAbs2().cwiseProduct(state.q);
+  Vector acceleration =
+      -system.resistance(state.qdot) - system.omega.cwiseAbs2().cwiseProduct(state.q);
   if (system.forcing()) acceleration += system.forcing()->amplitude * std::cos(theta);
   if (system.load()) acceleration += *system.load();
   return {state.qdot, acceleration};

@@ -40,7 +40,7 @@ std::optional<double> smallest_minimum(const ArcCurve<double>& curve, int multip
 //   |sum_j b_j P_j| + sum_j |b_j| sqrt(u_j^2 + u'_j^2/w_j^2) < gap - b.offset
 //
 // at every stop, because w^2 u^2 + u'^2 never grows. Needs forcing, and every mode stiff, damped
-// and off resonance; otherwise the answer is always "not certain".
+// by itself and off resonance; otherwise the answer is always "not certain".
 class LastingClearance {
  public:
   // `flow` is the system's.

@@ -172,7 +172,8 @@ Real Motion<Real>::free_acceleration(Eigen::Index j, const Real& cosine, Real* s
   using std::abs;
   const Real load = linear_.load.size() > 0 ? linear_.load[j] : Real(0);
   const Real force = linear_.forced ? Real(linear_.amplitude[j] * cosine) : Real(0);
-  const Real damping = 2 * linear_.delta[j] * now_.qdot[j];
+  Real damping = 2 * linear_.delta[j] * now_.qdot[j];
+  if (linear_.coupling.size() > 0) damping += linear_.coupling.row(j).dot(now_.qdot);
   const Real stiffness = linear_.omega[j] * linear_.omega[j] * now_.q[j];
   if (size)
     *size = abs(load) + (linear_.forced ? Real(abs(linear_.amplitude[j])) : Real(0)) +
@@ -250,7 +251,7 @@ Real Motion<Real>::quickest_rate() const {
   Real rate = linear_.forced ? linear_.frequency : Real(0);
   for (Eigen::Index j = 0; j < linear_.omega.size(); ++j)
     rate = max(rate, max<Real>(linear_.omega[j], 2 * linear_.delta[j]));
-  return rate;
+  return linear_.coupling.size() > 0 ? Real(rate + linear_.coupling.norm()) : rate;
 }
 
 // Stops that neither press nor are left: decided by the rate of the push, which depends on the

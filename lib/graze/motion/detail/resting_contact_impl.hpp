@@ -143,6 +143,7 @@ RealVector<Real> Motion<Real>::located_size() const {
   RealVector<Real> size(now_.q.size());
   for (Eigen::Index j = 0; j < size.size(); ++j) {
     size[j] = linear_.omega[j] * linear_.omega[j] * place + 2 * linear_.delta[j] * speed;
+    if (linear_.coupling.size() > 0) size[j] += linear_.coupling.row(j).norm() * speed;
     if (linear_.forced)
       size[j] += linear_.frequency * (now_.instant.local + vanished_) * abs(linear_.amplitude[j]);
   }

@@ -6,10 +6,30 @@
 
 #include "graze/base/angle.hpp"
 #include "graze/base/linalg/decompositions.hpp"
+#include "graze/base/linalg/detail/linear_equations.hpp"
 #include "graze/system/scale.hpp"
 
 namespace graze {
 namespace {
+
+// Z = w^2 - W^2 + i W D, by which Z amplitude = force.
+Eigen::MatrixXcd impedance_matrix(const System& system) {
+  const double frequency = system.forcing()->frequency;
+  Eigen::MatrixXcd all = Complex(0.0, frequency) * system.damping().cast<Complex>();
+  for (Eigen::Index j = 0; j < all.cols(); ++j)
+    all(j, j) += (system.omega[j] - frequency) * (system.omega[j] + frequency);
+  return all;
+}
+
+// The first-order form of the free motion, on (w q, q').
+Matrix free_generator(const System& system) {
+  const Eigen::Index n = system.modes();
+  Matrix generator = Matrix::Zero(2 * n, 2 * n);
+  generator.topRightCorner(n, n) = system.omega.asDiagonal();
+  generator.bottomLeftCorner(n, n) = -Matrix(system.omega.asDiagonal());
+  generator.bottomRightCorner(n, n) = -system.damping();
+  return generator;
+}
 
 Complex impedance(const System& system, Eigen::Index j) {
   const double w = system.omega[j], frequency = system.forcing()->frequency;
@@ -43,11 +63,14 @@ std::optional<Response> response_of(const System& system) {
   Response response{ComplexVector(n), Vector::Zero(n)};
   for (Eigen::Index j = 0; j < n; ++j) {
     const Complex z = impedance(system, j);
-    if (z == 0.0 || !(system.omega[j] > 0.0)) return {};
+    if ((z == 0.0 && !system.coupling()) || !(system.omega[j] > 0.0)) return {};
     response.amplitude[j] = system.forcing()->amplitude[j] / z;
     if (system.load())
       response.offset[j] = (*system.load())[j] / (system.omega[j] * system.omega[j]);
   }
+  if (system.coupling())
+    response.amplitude =
+        solve(impedance_matrix(system), system.forcing()->amplitude.cast<Complex>());
   if (!response.amplitude.allFinite() || !response.offset.allFinite()) return {};
   return response;
 }
@@ -67,6 +90,18 @@ Response response_rate(const System& system, const System& tangent, const Respon
     if (system.load() || tangent.load())
       rate.offset[j] = (load - 2.0 * w * tangent.omega[j] * response.offset[j]) / (w * w);
   }
+  if (system.coupling() || tangent.coupling()) {
+    const Matrix damping = system.damping(), damping_rate = tangent.damping();
+    Eigen::MatrixXcd z_rate =
+        Complex(0.0, 1.0) * (frequency * damping_rate + turns * damping).cast<Complex>();
+    z_rate.diagonal() +=
+        (2.0 * (system.omega.cwiseProduct(tangent.omega).array() - frequency * turns))
+            .matrix()
+            .cast<Complex>();
+    const Vector force = tangent.forcing() ? tangent.forcing()->amplitude : Vector(Vector::Zero(n));
+    rate.amplitude =
+        solve(impedance_matrix(system), force.cast<Complex>() - z_rate * response.amplitude);
+  }
   return rate;
 }
 
@@ -75,6 +110,15 @@ std::vector<Eigenvalue> response_multipliers(const System& system) {
   constexpr double kRoundings = 4.0 * std::numeric_limits<double>::epsilon();
   const double period = system.period();
   std::vector<Eigenvalue> list;
+  if (system.coupling()) {
+    for (const Eigenvalue& rate : eigenvalues(free_generator(system))) {
+      const Complex value = std::exp(rate.value * period);
+      const double rounding = kRoundings * std::abs(rate.value) * period + rate.error * period;
+      list.push_back({value, rounding * std::abs(value)});
+    }
+    sort_eigenvalues(list);
+    return list;
+  }
   for (Eigen::Index j = 0; j < system.modes(); ++j) {
     const double w = system.omega[j], delta = system.delta()[j];
     const Complex root = std::sqrt(Complex((w - delta) * (w + delta)));

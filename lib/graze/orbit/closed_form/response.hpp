@@ -3,6 +3,8 @@
 //
 //   q = offset + Re(amplitude e^{i theta}),   amplitude_j = f_j/(w_j^2 - W^2 + 2 i delta_j W),
 //   offset_j = c_j/w_j^2
+//
+// where damping couples no modes; else (w^2 - W^2 + i W D) amplitude = f.
 #pragma once
 
 #include <optional>

@@ -108,8 +108,8 @@ SegmentShooting::Force SegmentShooting::force(const System& system, const Vector
   const Vector stiffness = system.omega.cwiseAbs2();
   const Vector &q = chart.state.q, &qdot = chart.state.qdot;
   const double c = std::cos(theta_of(u)), n = std::sin(theta_of(u));
-  Vector acceleration = system.forcing()->amplitude * c - 2.0 * system.delta().cwiseProduct(qdot) -
-                        stiffness.cwiseProduct(q);
+  Vector acceleration =
+      system.forcing()->amplitude * c - system.resistance(qdot) - stiffness.cwiseProduct(q);
   if (system.load()) acceleration += *system.load();
   const std::vector<PressedSpring> springs = springs_at(system, chart.state);
   for (const PressedSpring& spring : springs) acceleration -= spring.force * spring.stop->row;
@@ -117,8 +117,10 @@ SegmentShooting::Force SegmentShooting::force(const System& system, const Vector
   result.value = share.dot(acceleration) / push_;
   result.by_theta = -share.dot(system.forcing()->amplitude) * n / push_;
   result.by_x.resize(map_.size());
+  Vector by_velocity = 2.0 * share.cwiseProduct(system.delta());
+  if (system.coupling()) by_velocity += system.coupling()->transpose() * share;
   result.by_x << -share.cwiseProduct(stiffness).transpose() * chart.slope,
-      -2.0 * share.cwiseProduct(system.delta()).transpose() * chart.slope;
+      -by_velocity.transpose() * chart.slope;
   for (const PressedSpring& spring : springs) {
     const double part = share.dot(spring.stop->row);
     const Eigen::RowVectorXd seen = spring.stop->row.transpose() * chart.slope;
@@ -131,10 +133,9 @@ SegmentShooting::Force SegmentShooting::force(const System& system, const Vector
     const System& tangent = *tangents[k];
     const State rate = map_.chart_rate(system, tangent, chart.state);
     const Vector share_rate = contact_share_rate(system, tangent, layout_.closed).row(place);
-    Vector acceleration_rate =
-        tangent.forcing()->amplitude * c - 2.0 * tangent.delta().cwiseProduct(qdot) -
-        2.0 * system.omega.cwiseProduct(tangent.omega).cwiseProduct(q) -
-        2.0 * system.delta().cwiseProduct(rate.qdot) - stiffness.cwiseProduct(rate.q);
+    Vector acceleration_rate = tangent.forcing()->amplitude * c - tangent.resistance(qdot) -
+                               2.0 * system.omega.cwiseProduct(tangent.omega).cwiseProduct(q) -
+                               system.resistance(rate.qdot) - stiffness.cwiseProduct(rate.q);
     if (tangent.load()) acceleration_rate += *tangent.load();
     for (const PressedSpring& spring : springs)
       acceleration_rate -= spring.rate(tangent, chart.state, rate);

@@ -60,20 +60,24 @@ std::vector<State> closed_form_contacts(const System& system, int period,
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     const Stop& stop = system.stops[i];
     // The two solutions have different speeds.
-    for (std::size_t which = 0; which < 2 && stop.is_compliant(); ++which) {
+    const bool gives_way = stop.is_compliant();
+    for (std::size_t which = 0; which < 2 && (gives_way || system.coupling()); ++which) {
       if (segment.stop.requested()) return starts;
       double speed = motion_scale(system).speed;
       std::optional<ImpactPoint> point;
       for (int round = 0; round < kRounds && speed > 0.0; ++round) {
         System rigid = system;
-        rigid.stops[i].law =
-            ImpactLaw{momentum_direction(stop.row), Restitution{restitution_of(stop, speed)}};
+        rigid.modal().coupling.reset();
+        if (gives_way)
+          rigid.stops[i].law =
+              ImpactLaw{momentum_direction(stop.row), Restitution{restitution_of(stop, speed)}};
         const ClosedFormAnswer answer = closed_form(rigid, static_cast<int>(i), period);
         if (!answer.form) break;
         const std::vector<ImpactPoint> points = answer.form->solutions(stop.gap);
         if (which >= points.size()) break;
         point = points[which];
         speed = stop.row.dot(point->before.qdot);
+        if (!gives_way) break;
       }
       if (!point || !(speed > 0.0)) continue;
       if (const auto start = period_end_after(system, *point, static_cast<int>(i), segment))

@@ -55,7 +55,7 @@ class Finder {
         start_(start),
         options_(options),
         scale_(motion_scale(system)),
-        compliant_(system.has_compliant_stop()) {
+        followed_(!system.has_modal_flights()) {
     const State at_rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
     segment_options_.closure_speed =
         options.closure_speed.value_or(default_closure_speed(system, start.value_or(at_rest)));
@@ -66,9 +66,9 @@ class Finder {
   FoundOrbits find() {
     const bool one_impact = !options_.impacts || *options_.impacts == 1;
     if (options_.from_closed_form && one_impact)
-      compliant_ ? from_closed_form_contacts() : from_closed_form();
+      followed_ ? from_closed_form_contacts() : from_closed_form();
     if (options_.from_simulation && start_) from_simulation();
-    if (!compliant_)
+    if (!followed_)
       from_phases();
     else if (options_.from_random)
       from_rough_contacts();
@@ -352,7 +352,7 @@ class Finder {
   }
 
   std::string what_was_tried() const {
-    if (compliant_)
+    if (followed_)
       return fmt::format("{} rigid orbits, {} simulation, {} rough guesses",
                          found_.closed_form.tried, found_.simulated ? "the" : "no",
                          found_.random.tried);
@@ -379,7 +379,7 @@ class Finder {
   const std::optional<State>& start_;
   const FinderOptions& options_;
   MotionScale scale_;
-  bool compliant_;  // a stop is, and every orbit is followed
+  bool followed_;  // every orbit is
   SegmentOptions segment_options_;
   FoundOrbits found_;
 };

@@ -193,7 +193,7 @@ void Settling::conclude_periodic(int p) {
         fmt::format("settles on {} that {} {}",
                     count(static_cast<long long>(result_.impacts.size()), "impact"),
                     result_.impacts.size() == 1 ? "repeats" : "repeat", every));
-    if (system_.has_compliant_stop()) return;  // a motion on these is followed
+    if (!system_.has_modal_flights()) return;  // it is followed
     Pattern last = pattern_of_last(p);
     result_.pattern = std::move(last.pattern);
     result_.points = std::move(last.points);

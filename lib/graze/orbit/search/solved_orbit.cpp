@@ -32,6 +32,7 @@ std::optional<Orbit> minimal_orbit(const System& system, const ShootingProblem& 
 
 std::optional<Orbit> orbit_near(const System& system, const ImpactPattern& pattern,
                                 const std::vector<ImpactPoint>& points) {
+  if (!system.has_modal_flights()) return {};
   const ShootingProblem problem(pattern, motion_scale(system));
   const auto solution = newton(problem, system, problem.pack(points));
   return solution ? minimal_orbit(system, problem, *solution) : std::nullopt;

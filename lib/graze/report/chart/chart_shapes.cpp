@@ -145,7 +145,7 @@ Chart bars_chart(const MatrixModes& found, const Vector& omega, Units units) {
 }  // namespace
 
 Chart mode_shapes_chart(const Scene& scene, const Vector& omega) {
-  if (const MatrixStructure* matrices = scene.matrices()) {
+  if (const DiscreteStructure* matrices = scene.discrete()) {
     const MatrixModes& found = *matrices->solved;
     if (!found.coordinates.empty()) return bars_chart(found, omega, scene.units);
     ChartPanel panel{{.name = "degree of freedom"}, {.name = "mode shape / its largest value"}};

@@ -13,15 +13,15 @@ function list(numbers) {
 // `values`: of the plane's axes. A coordinate of the start takes its place in the whole start.
 function cellCommand(command, values) {
   const settings = [];
-  const start = { q: [...command.start?.q ?? []], qdot: [...command.start?.qdot ?? []] };
+  const start = Object.fromEntries(Object.entries(command.start ?? {}).map(([key, list]) => [key, [...list]]));
   let starts = false;
   command.paths.forEach((path, i) => {
-    const coordinate = path.match(/^initial\.(q|qdot)\.(\d+)$/);
+    const coordinate = path.match(/^initial\.(q|qdot|displacement|velocity)\.(\d+)$/);
     if (coordinate) start[coordinate[1]][Number(coordinate[2]) - 1] = values[i];
     else settings.push(`${path}=${values[i]}`);
     starts ||= coordinate !== null;
   });
-  if (starts) settings.push(`initial.q=${list(start.q)}`, `initial.qdot=${list(start.qdot)}`);
+  if (starts) settings.push(...Object.keys(start).map((key) => `initial.${key}=${list(start[key])}`));
   return command.before + settings.map((setting) => ` --set ${shellWord(setting)}`).join('') + command.after;
 }
 

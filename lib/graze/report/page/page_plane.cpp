@@ -99,8 +99,14 @@ Json cell_command_json(const std::string& before, const std::string& after, cons
   Scene started = scene;
   for (const PlaneAxis* axis : {&plane.x, &plane.y})
     if (names_start_coordinate(axis->name)) start_coordinate(started, axis->name);
-  if (started.initial)
-    command["start"] = {{"q", started.initial->q}, {"qdot", started.initial->qdot}};
+  if (!started.initial) return command;
+  const Initial& initial = *started.initial;
+  const auto add = [&](const char* own, const std::vector<double>& coordinates, const char* modal,
+                       const std::vector<double>& modes) {
+    command["start"][coordinates.empty() ? modal : own] = coordinates.empty() ? modes : coordinates;
+  };
+  add("displacement", initial.displacement, "q", initial.q);
+  add("velocity", initial.velocity, "qdot", initial.qdot);
   return command;
 }
 

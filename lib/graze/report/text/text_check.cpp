@@ -60,16 +60,22 @@ std::string title(const Scene& scene) {
 
 std::string damping_text(const Scene& scene) {
   const TextUnits in(scene.units);
-  if (const ModalDamping* damping = damping_of_matrices(scene))
-    return damping->is_proportional ? fmt::format("of a matrix, proportional: {} M + {} K",
-                                                  in.quantity(damping->mass, 6, "1/s"),
-                                                  in.quantity(damping->stiffness, 6, "s"))
-                                    : "of a matrix, what it makes of each mode alone";
+  if (const ModalDamping* damping = damping_of_matrices(scene)) {
+    const char* whose = scene.lumped() ? "of dashpots" : "of a matrix";
+    return damping->coupling.size() > 0
+               ? fmt::format("{}, which couple{} the modes", whose, scene.lumped() ? "" : "s")
+           : damping->is_proportional ? fmt::format("{}, proportional: {} M + {} K", whose,
+                                                    in.quantity(damping->mass, 6, "1/s"),
+                                                    in.quantity(damping->stiffness, 6, "s"))
+                                      : fmt::format("{}, of each mode alone", whose);
+  }
   if (!scene.damping)
     return scene.modal() && !scene.modal()->damping_ratios.empty() ? "a ratio for each mode"
                                                                    : "none";
   if (const auto* viscous = std::get_if<ViscousDamping>(&*scene.damping))
     return "viscous, " + in.quantity(viscous->coefficient, 6, "N s/m^2");
+  if (const auto* same = std::get_if<DampingRatio>(&*scene.damping))
+    return fmt::format("the ratio {} of all modes", digits_text(same->ratio, 6));
   if (const auto* rayleigh = std::get_if<RayleighDamping>(&*scene.damping))
     return fmt::format("Rayleigh, mass {}, stiffness {}", in.quantity(rayleigh->mass, 6, "1/s"),
                        in.quantity(rayleigh->stiffness, 6, "s"));
@@ -129,13 +135,19 @@ std::string frequency_text(const Frequency& frequency, const TextUnits& in) {
 std::string forcing_text(const Scene& scene, const Forcing& forcing, const TextUnits& in) {
   const bool base = forcing.kind == ForcingKind::kBase;
   const bool load = forcing.kind == ForcingKind::kDistributed;
-  const bool matrices = scene.matrices() != nullptr;
+  const bool matrices = scene.discrete() != nullptr;
+  const bool point = forcing.kind == ForcingKind::kPoint;
   return fmt::format("{}, amplitude {}, {}{}, period {}",
                      base       ? (matrices ? "moving base" : "moving clamp")
                      : load     ? "distributed load"
+                     : point    ? "force at one point"
                      : matrices ? "load"
                                 : "modal",
-                     in.quantity(forcing.amplitude, 6, base ? "m" : (load ? "N/m" : "")),
+                     in.quantity(forcing.amplitude, 6,
+                                 base    ? "m"
+                                 : load  ? "N/m"
+                                 : point ? "N"
+                                         : ""),
                      in("Hz").empty() ? "frequency " : "", frequency_text(forcing.frequency, in),
                      in.quantity(kTurn / forcing.frequency, 6, "s"));
 }
@@ -164,7 +176,7 @@ std::string stop_text(const Scene& scene, const SceneStop& stop, const Stop& ass
     const ContactForce& law = assembled.force();
     // Without units the exponent is given separately.
     const std::string exponent = fmt::format("{:g}", law.exponent);
-    const std::string unit = in("N/m^" + exponent);
+    const std::string unit = in(law.exponent == 1.0 ? "N/m" : "N/m^" + exponent);
     const std::string met = in.quantity(assembled.gap, 6, "m");
     const std::string shifted = met == in.quantity(stop.gap, 6, "m")
                                     ? ""
@@ -203,6 +215,9 @@ std::string simulated_effects(const CheckRecord& record) {
   if (!scene.hub)
     text += effect("forcing", scene.forcing ? forcing_text(scene, *scene.forcing, in) : "none");
   text += effect("gravity", gravity_text(scene));
+  if (!scene.loads.empty())
+    text += effect("loads", fmt::format("{} constant force{}", scene.loads.size(),
+                                        scene.loads.size() == 1 ? "" : "s"));
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
     text += effect(fmt::format("stop {}", i + 1),
                    stop_text(scene, scene.stops[i], record.system.stops[i]));

@@ -124,6 +124,12 @@ std::vector<std::pair<std::string, std::string>> structure_effects(
   if (const MatrixStructure* matrices = scene.matrices())
     return {{"structure", fmt::format("the lowest {} of matrices with {} degrees of freedom", modes,
                                       matrices->solved->free_count())}};
+  if (const LumpedStructure* lumped = scene.lumped())
+    return {{"structure", fmt::format("{} of {} and {}", modes,
+                                      lumped->masses.size() == 1
+                                          ? "1 mass"
+                                          : fmt::format("{} masses", lumped->masses.size()),
+                                      counted(lumped->springs.size(), "spring"))}};
   if (scene.modal()) return {{"structure", "given by " + modes}};
   Effects effects{{"structure", fmt::format("{}, {}", span_text(scene), modes)}};
   if (const Beam* beam = scene.beam()) {

@@ -46,11 +46,17 @@ inline constexpr std::array kTorqueKinds{Choice{"pulse", TorqueKind::kPulse},
 inline constexpr std::array kHubEquations{Choice{"consistent", HubEquations::kConsistent},
                                           Choice{"paper", HubEquations::kPaper}};
 inline constexpr std::array kBeamForcings{Choice{"base", ForcingKind::kBase},
-                                          Choice{"distributed", ForcingKind::kDistributed}};
+                                          Choice{"distributed", ForcingKind::kDistributed},
+                                          Choice{"point", ForcingKind::kPoint}};
 inline constexpr std::array kModalForcings{Choice{"modal", ForcingKind::kModal},
-                                           Choice{"base", ForcingKind::kBase}};
+                                           Choice{"base", ForcingKind::kBase},
+                                           Choice{"point", ForcingKind::kPoint}};
 inline constexpr std::array kMatrixForcings{Choice{"base", ForcingKind::kBase},
-                                            Choice{"load", ForcingKind::kModal}};
+                                            Choice{"load", ForcingKind::kModal},
+                                            Choice{"point", ForcingKind::kPoint}};
+inline constexpr std::array kLumpedForcings{Choice{"base", ForcingKind::kBase},
+                                            Choice{"point", ForcingKind::kPoint}};
+inline constexpr std::array kStarts{Choice{"given", false}, Choice{"equilibrium", true}};
 inline constexpr std::array kSides{Choice{"above", Side::kAbove}, Choice{"below", Side::kBelow}};
 inline constexpr std::array kImpulses{Choice{"momentum", Impulse::kMomentum},
                                       Choice{"collocation", Impulse::kCollocation}};

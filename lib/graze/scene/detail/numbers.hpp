@@ -37,6 +37,14 @@ class NumberVisitor : public SchemaVisitor {
     std::size_t k = 0;
     for (auto& value : values) f_(fmt::format("{}{}.{}", path_, key.name, ++k), value);
   }
+  void values(const Key& key, auto& values) { list(key, values); }
+  // Those on and above the diagonal, of a symmetric matrix.
+  void entries(const Key& key, auto&, auto& rows) {
+    if (!is_meant(key)) return;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (std::size_t j = key.is_symmetric && !all_ ? i : 0; j < rows[i].size(); ++j)
+        f_(fmt::format("{}{}.{}.{}", path_, key.name, i + 1, j + 1), rows[i][j]);
+  }
   void series(const Key& key, auto& values) {
     if (values.size() == 1)
       number(key, values.front());

@@ -87,12 +87,17 @@ void describe(auto& v, Of<RayleighDamping> auto& rayleigh, const Scene&) {
 void describe(auto& v, Of<Damping> auto& damping, const Scene&) {
   MayHold viscous(std::get_if<ViscousDamping>(&damping));
   MayHold ratios(std::get_if<DampingRatios>(&damping));
+  MayHold ratio(std::get_if<DampingRatio>(&damping));
   v.number(Key{"viscous", "N s/m^2", kNotNegative,
                "eta, force per length per velocity relative to the clamp; not with `[modal]`, nor "
                "where the mass per length m varies or masses are attached. delta_j = eta/(2 m)"}
                .needed("none")
                .where(bool(viscous)),
            viscous->coefficient);
+  v.number(
+      Key{"ratio", "", kNotNegative, "delta_j/w_j, the same of all modes"}.needed("none").where(
+          bool(ratio)),
+      ratio->ratio);
   v.list(Key{"ratios", "", kNotNegative.told("N numbers >= 0"), "delta_j/w_j"}
              .needed("none")
              .where(bool(ratios))
@@ -101,21 +106,50 @@ void describe(auto& v, Of<Damping> auto& damping, const Scene&) {
   v.table({"rayleigh", Form::kInline}, std::get_if<RayleighDamping>(&damping));
 }
 
+// Where a force acts.
+void describe_load_point(auto& v, auto& point, const Scene& scene, bool applies = true,
+                         const char* otherwise = nullptr) {
+  describe_point(
+      v, point, scene,
+      Key{"position", "m", own_rule("in [0, L]"), "where the force acts, from the left end"}.as(
+          "a number in m from the left end"),
+      Key{"shape", "kg^-1/2", kAny.told("N numbers"), "phi_j there"}.as(
+          "a list of numbers, the mode shapes where the force acts"),
+      applies, otherwise);
+}
+
+void describe(auto& v, Of<PointLoad> auto& load, const Scene& scene) {
+  describe_load_point(v, load, scene);
+  v.number({"force", "N", kAny, "constant, along +u"}, load.force);
+}
+
 void describe(auto& v, Of<Forcing> auto& forcing, const Scene& scene) {
   const bool modal = scene.modal() != nullptr;
-  v.choice(Key{"kind", "",
-               own_rule("`\"base\"`; `\"distributed\"` not with `[modal]` or `[matrices]`; "
-                        "`\"modal\"` with `[modal]` only; `\"load\"` with `[matrices]` only"),
-               "base: displacement of the clamp and of all supports; distributed: force per "
-               "length; modal: modal forces `participation` times amplitude; load: forces `load` "
-               "times amplitude"}
-               .or_else("`\"base\"`, with `[modal]` `\"modal\"`"),
-           forcing.kind,
-           scene.matrices() ? kMatrixForcings
-           : modal          ? kModalForcings
-                            : kBeamForcings);
-  v.number(Key{"amplitude", "m, N/m or 1, by kind", kAny, "of the cosine"}.as(
-               modal ? "a number" : "a number, in m (base) or N/m (distributed)"),
+  const Key kind =
+      Key{"kind", "",
+          own_rule("`\"point\"`; `\"base\"`; `\"distributed\"` with `[beam]`, `[string]` and "
+                   "`[bar]` only; `\"modal\"` with `[modal]` only; `\"load\"` with "
+                   "`[matrices]` only"),
+          "point: a force at one point; base: displacement of the clamp and of all supports, "
+          "or of the ground; distributed: force per length; modal: modal forces "
+          "`participation` times amplitude; load: forces `load` times amplitude"}
+          .or_else(
+              "`\"point\"` where a point is given, else `\"base\"`, with `[modal]` "
+              "`\"modal\"`")
+          .or_kept();
+  if (scene.matrices())
+    v.choice(kind, forcing.kind, kMatrixForcings);
+  else if (scene.lumped())
+    v.choice(kind, forcing.kind, kLumpedForcings);
+  else if (modal)
+    v.choice(kind, forcing.kind, kModalForcings);
+  else
+    v.choice(kind, forcing.kind, kBeamForcings);
+  describe_load_point(v, forcing.at, scene, forcing.kind == ForcingKind::kPoint,
+                      "forcing of this kind acts on all of the structure: forcing.kind must be "
+                      "\"point\", or it must be left out");
+  v.number(Key{"amplitude", "m, N, N/m or 1, by kind", kAny, "of the cosine"}.as(
+               modal ? "a number" : "a number, in m (base), N (point) or N/m (distributed)"),
            forcing.amplitude);
   // The frequency may be given in rad/s or in Hz.
   const bool in_hertz = forcing.frequency.in_hertz;
@@ -169,7 +203,7 @@ void describe(auto& v, Of<Spring> auto& spring, const Scene&) {
                   .or_ignored(),
               spring.stiffness, spring.is_residual, "residual");
   v.number(Key{"exponent", "", kAtLeastOne, "n: 1 linear, 1.5 Hertz"}
-               .needed("required with a number")
+               .or_else()
                .where(!given && !spring.is_residual,
                       given ? follows
                             : "the modes left out give way in proportion to the force, it must be "
@@ -206,31 +240,16 @@ void describe(auto& v, Of<Spring> auto& spring, const Scene&) {
 }
 
 void describe(auto& v, Of<SceneStop> auto& stop, const Scene& scene) {
-  const bool span = scene.span() != nullptr, matrices = scene.matrices() != nullptr;
   const bool rigid = !stop.spring;
   const char* none = "a stop with a spring has none, it must be left out";
-  v.number(Key{"position", "m", own_rule("in [0, L], where nothing holds it"),
-               "B, distance from the left end; with the collocation impulse it must be a "
-               "collocation point"}
-               .needed("required with `[beam]`, `[string]`, `[bar]`")
-               .where(span, matrices ? "a stop of [matrices] has no position, it must have a node"
-                                     : "a stop of a [modal] structure has no position, it must "
-                                       "have a shape")
-               .as("a number in m from the clamp"),
-           stop.position);
-  // With matrices the shape follows from the node.
-  const Key shape =
-      Key{"shape", "kg^-1/2", kAny.told("N numbers, not all 0"),
-          "phi_j(B): how far each mode moves the point of contact"}
-          .needed("required with `[modal]`")
-          .where(
-              !span && !matrices,
-              matrices
-                  ? "a stop of [matrices] has no shape, it must have a node"
-                  : "a stop of a [beam], [string] or [bar] has no shape, it must have a position")
-          .as("a list of numbers, the mode shapes at the stop");
-  v.list(matrices ? shape.or_ignored() : shape, stop.shape);
-  describe_node(v, stop, matrices);
+  describe_point(v, stop, scene,
+                 Key{"position", "m", own_rule("in [0, L], where nothing holds it"),
+                     "B, distance from the left end; with the collocation impulse it must be a "
+                     "collocation point"}
+                     .as("a number in m from the clamp"),
+                 Key{"shape", "kg^-1/2", kAny.told("N numbers, not all 0"),
+                     "phi_j(B): how far each mode moves the point of contact"}
+                     .as("a list of numbers, the mode shapes at the stop"));
   v.number({"gap", "m", kAny, "a; 0 touches at rest, negative is a preload"}, stop.gap);
   v.choice(Key{"side", "", kAny, "above: free while u < gap; below: free while u > -gap"}.or_else(),
            stop.side, kSides);
@@ -249,29 +268,13 @@ void describe(auto& v, Of<SceneStop> auto& stop, const Scene& scene) {
 }
 
 void describe(auto& v, Of<Probe> auto& probe, const Scene& scene) {
-  const bool span = scene.span() != nullptr, matrices = scene.matrices() != nullptr;
-  const bool of_hub = is_of_hub(probe.quantity);
-  const auto where = [&](const Key& key, bool condition, const char* otherwise) {
-    return of_hub ? key.where(false, "angle and rate are those of the hub, it must be left out")
-                        .or_ignored()
-                  : key.where(condition, otherwise);
-  };
-  v.number(where(Key{"position", "m", own_rule("in [0, L]"), "distance from the left end"}
-                     .needed("required with `[beam]`, `[string]`, `[bar]`")
-                     .as("a number in m from the clamp"),
-                 span,
-                 matrices ? "a probe of [matrices] has no position, it must have a node"
-                          : "a probe of a [modal] structure has no position, it must have a shape"),
-           probe.position);
-  const Key shape = where(
-      Key{"shape", "kg^-1/2", kAny.told("N numbers"), "phi_j there"}
-          .needed("required with `[modal]`")
-          .as("a list of numbers, the mode shapes at the probe"),
-      !span && !matrices,
-      matrices ? "a probe of [matrices] has no shape, it must have a node"
-               : "a probe of a [beam], [string] or [bar] has no shape, it must have a position");
-  v.list(matrices ? shape.or_ignored() : shape, probe.shape);
-  describe_node(v, probe, matrices && !of_hub);
+  describe_point(v, probe, scene,
+                 Key{"position", "m", own_rule("in [0, L]"), "distance from the left end"}.as(
+                     "a number in m from the clamp"),
+                 Key{"shape", "kg^-1/2", kAny.told("N numbers"), "phi_j there"}.as(
+                     "a list of numbers, the mode shapes at the probe"),
+                 !is_of_hub(probe.quantity),
+                 "angle and rate are those of the hub, it must be left out");
   v.choice(Key{"quantity", "", kAny,
                "displacement (m) and velocity (m/s) of the point, relative to the clamp, with a "
                "`[hub]` along its arc from angle 0 on; deflection (m) from the line that turns "
@@ -286,12 +289,42 @@ void describe(auto& v, Of<Probe> auto& probe, const Scene& scene) {
 void describe(auto& v, Of<Initial> auto& initial, const Scene& scene) {
   const bool hub = scene.hub.has_value();
   const char* none = "it is that of a [hub], without one it must be left out";
+  const bool own = scene.lumped() || (scene.matrices() && !scene.matrices()->mass_entries.empty());
+  const bool placed = !initial.displacement.empty(), moving = !initial.velocity.empty();
+  const auto of_own = [&](const Key& key) {
+    return key.or_else("none").where(
+        own,
+        "the coordinates are those of [lumped] or of matrices in the scene, it must be left "
+        "out");
+  };
+  v.choice(Key{"at", "", kAny, "equilibrium: displacements are those at rest under constant loads"}
+               .or_else()
+               .where(!hub, "a structure on a hub has none, it must be left out"),
+           initial.in_equilibrium, kStarts);
+  v.values(of_own(Key{"displacement", "m", own_rule("one for each"),
+                      "of the masses or degrees of freedom"})
+               .as("a list of numbers in m, one for each mass or degree of freedom"),
+           initial.displacement);
+  v.values(of_own(Key{"velocity", "m/s", own_rule("one for each"), "their rates"})
+               .as("a list of numbers in m/s, one for each mass or degree of freedom"),
+           initial.velocity);
+  v.number(
+      Key{"speed", "m/s", kAny, "of the whole structure along +u, in addition"}.or_else().where(
+          !hub, "a structure on a hub starts with its rate, it must be left out"),
+      initial.speed);
   v.list(Key{"q", "kg^1/2 m", kAny.told("N numbers"),
              "modal coordinates; the point of contact may touch its stop, not lie beyond a rigid "
              "one; a compliant one it compresses there"}
-             .or_zeros(),
+             .or_zeros()
+             .where(!placed && !initial.in_equilibrium,
+                    "the displacements are given already, it must be left out")
+             .or_ignored(),
          initial.q);
-  v.list(Key{"qdot", "kg^1/2 m/s", kAny.told("N numbers"), "their rates"}.or_zeros(), initial.qdot);
+  v.list(Key{"qdot", "kg^1/2 m/s", kAny.told("N numbers"), "their rates"}
+             .or_zeros()
+             .where(!moving, "the velocities are given already, it must be left out")
+             .or_ignored(),
+         initial.qdot);
   v.number(
       Key{"angle", "rad", kAny, "of the `[hub]`; left out without one"}.or_else().where(hub, none),
       initial.angle);
@@ -340,9 +373,11 @@ void describe(auto& v, Of<Scene> auto& scene) {
   v.table({"hub"}, scene.hub);
   v.table({"modal"}, std::get_if<ModalStructure>(&scene.structure));
   v.table({"matrices"}, std::get_if<MatrixStructure>(&scene.structure));
+  v.table({"lumped"}, std::get_if<LumpedStructure>(&scene.structure));
   v.table({"damping"}, scene.damping);
   v.table({"forcing"}, scene.forcing);
   v.table({"gravity"}, scene.gravity);
+  v.tables({"load"}, scene.loads);
   v.tables({"stop"}, scene.stops);
   v.tables({"probe", Form::kHeader, false}, scene.probes);
   v.table({"initial", Form::kHeader, false}, scene.initial);

@@ -38,12 +38,17 @@ class TableReader {
   std::int64_t integer(const std::string& key, const std::string& what) const;
   bool flag_or(const std::string& key, bool fallback) const;
   std::string text_or(const std::string& key, const std::string& fallback) const;
-  // A degree of freedom, "12.3" or "7", or the integer 7; a list of these.
-  std::string label(const std::string& key) const;
-  std::vector<std::string> labels(const std::string& key) const;
+  // A degree of freedom, "12.3" or "7", or the integer 7, or a name; a list of these. `what`: what
+  // it must be, null: a degree of freedom.
+  std::string label(const std::string& key, const char* what = nullptr) const;
+  std::vector<std::string> labels(const std::string& key, const char* what = nullptr) const;
   // The list of numbers, with `unit` as above; empty when the key is missing.
   std::vector<double> numbers(const std::string& key, const std::string& what,
                               const std::optional<std::string>& unit = {}) const;
+
+  // The list of lists of numbers, likewise.
+  std::vector<std::vector<double>> rows(const std::string& key, const std::string& what,
+                                        const std::optional<std::string>& unit = {}) const;
 
   // Which of the names each of `count` words in a list is.
   std::vector<std::size_t> words(const std::string& key, const std::vector<std::string>& names,

@@ -76,8 +76,9 @@ CorrectorCosts corrector_costs(const Scene& scene, const AccuracyCostOptions& op
     return costs;
   }
   const System system = assemble(scene);
-  if (system.has_compliant_stop()) {
-    costs.message = "not measured where a stop is compliant";
+  if (!system.has_modal_flights()) {
+    costs.message = system.coupling() ? "not measured where damping couples modes"
+                                      : "not measured where a stop is compliant";
     return costs;
   }
   FinderOptions finder;

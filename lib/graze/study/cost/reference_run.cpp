@@ -189,9 +189,11 @@ class Reference {
 
 ReferenceRun reference_run(const System& system, const State& start,
                            const ReferenceOptions& options) {
-  if (system.turns()) {
+  if (system.turns() || system.coupling()) {
     ReferenceRun run;
-    run.message = "a structure on a hub is followed in double precision only";
+    run.message = fmt::format(
+        "{} is followed in double precision only",
+        system.turns() ? "a structure on a hub" : "a structure whose damping couples modes");
     return run;
   }
   return Reference(system, start, options).finish();

@@ -40,7 +40,7 @@ class AttractorSearch {
                   PlaceAttractors known)
       : system_(system),
         options_(options),
-        compliant_(system.has_compliant_stop()),
+        followed_(!system.has_modal_flights()),
         scale_(motion_scale(system)),
         periods_(periods_to_forget(system, options)),
         found_(std::move(known)) {}
@@ -66,7 +66,7 @@ class AttractorSearch {
   void from_closed_form() {
     for (std::size_t i = 0; i < system_.stops.size(); ++i)
       found_.searched += holds_closed_form(static_cast<int>(i)) ? 1 : 0;
-    if (found_.searched == 0 && !compliant_) return;
+    if (found_.searched == 0 && !followed_) return;
     FinderOptions finder;
     finder.period = options_.period;
     finder.impacts = 1;
@@ -78,7 +78,7 @@ class AttractorSearch {
 
   // On compliant stops the closed form only gives starts, and not the number of orbits.
   bool holds_closed_form(int stop) const {
-    return !compliant_ && closed_form(system_, stop, options_.period).form.has_value();
+    return !followed_ && closed_form(system_, stop, options_.period).form.has_value();
   }
 
   // Whether the closed form should have had this orbit.
@@ -247,7 +247,7 @@ class AttractorSearch {
 
   const System& system_;
   const AttractorSearchOptions& options_;
-  bool compliant_;  // some stop is
+  bool followed_;  // orbits are, and not solved by their impacts
   MotionScale scale_;
   long long periods_;  // a motion is followed at first
   PlaceAttractors found_;

@@ -68,7 +68,7 @@ class RegionFinder {
   // The scene at a place. Both values are set before any of them is judged.
   Scene scene_at(const RegionPlace& place) const {
     Scene scene = scene_;
-    *find_parameter(scene, first_) = place.value;
+    set_parameter(scene, first_, place.value);
     return with_parameter(scene, second_, place.second);
   }
 

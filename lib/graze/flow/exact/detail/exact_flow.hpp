@@ -37,12 +37,13 @@ struct LinearSystem {
   // How far the modes move between stops, in their own coordinates: the largest |gap|/|row|, m
   // sqrt(kg); 0 where all gaps are 0, infinite without stops.
   Real reach = 0;
+  RealMatrix<Real> coupling{};  // beside delta (NaturalModes), 1/s; empty: none
 };
 
 template <class Real>
 LinearSystem<Real> linear_system(const System& system) {
   LinearSystem<Real> linear{
-      system.omega.template cast<Real>(), {}, system.forcing() != nullptr, 0, 0, {}, {}, 0};
+      system.omega.template cast<Real>(), {}, system.forcing() != nullptr, 0, 0, {}, {}, 0, {}};
   // A hub couples the damping of its modes, and their flow is not this one.
   if (system.turns())
     linear.delta.setZero(system.modes());
@@ -53,6 +54,7 @@ LinearSystem<Real> linear_system(const System& system) {
     linear.phase = near_zero(Real(system.forcing()->phase));
     linear.amplitude = system.forcing()->amplitude.template cast<Real>();
   }
+  if (system.coupling()) linear.coupling = system.coupling()->template cast<Real>();
   if (system.load()) linear.load = system.load()->template cast<Real>();
   if (system.stops.empty()) linear.reach = std::numeric_limits<Real>::infinity();
   for (const Stop& stop : system.stops) {

@@ -9,7 +9,8 @@
 // This is again a linear system, on the reduced coordinates y of q = q_c + U y with B^T U = 0. For
 // the momentum law and proportional damping (equal decay rates or Rayleigh's) it decouples into
 // real modes, those of the structure held at its stops, and everything that holds in free flight
-// holds here; otherwise see couple().
+// holds here; otherwise see couple(). Without closed stops damping may couple the modes all the
+// same.
 #pragma once
 
 #include <vector>
@@ -68,8 +69,8 @@ struct ConstrainedStructure {
   friend CoupledSystem couple(ConstrainedStructure<double>& structure);
 };
 
-// Whether the decay rates are alpha + beta w^2 to rounding: then a structure that stops hold along
-// their rows has real modes.
+// Whether damping couples no modes and decay rates are alpha + beta w^2 to rounding: then a
+// structure that stops hold along their rows has real modes.
 bool proportional_damping(const System& system);
 
 // The equations of y for a structure without real modes. Moves its q_c.

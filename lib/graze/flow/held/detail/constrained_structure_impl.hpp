@@ -27,6 +27,7 @@ struct ProportionalDamping {
 template <class Real>
 std::optional<ProportionalDamping<Real>> proportional_damping(const LinearSystem<Real>& system) {
   using std::abs;
+  if (system.coupling.size() > 0) return {};
   const Eigen::Index n = system.omega.size();
   const RealVector<Real> stiffness = system.omega.cwiseAbs2();
   Eigen::Index low = 0, high = 0;
@@ -76,10 +77,12 @@ RealVector<Real> along_each(const RealMatrix<Real>& directions, const RealVector
 template <class Real>
 ConstrainedStructure<Real>::ConstrainedStructure(const System& system, std::vector<int> list)
     : constrained(std::move(list)), whole(linear_system<Real>(system)) {
-  if (is_free())
+  if (is_free()) {
     reduced = whole;
-  else
+    has_real_modes = whole.coupling.size() == 0;
+  } else {
     reduce(system);
+  }
 }
 
 // Coordinates in which the held structure has real modes: U = Q V, Q an orthonormal basis of what
@@ -134,10 +137,13 @@ void ConstrainedStructure<Real>::reduce(const System& system) {
   reduced.delta = RealVector<Real>::Zero(m);
   if (whole.forced) reduced.amplitude = RealVector<Real>::Zero(m);
   if (!has_real_modes) return;
-  for (Eigen::Index j = 0; j < m; ++j)
+  for (Eigen::Index j = 0; j < m; ++j) {
     reduced.delta[j] =
         damping ? Real(damping->alpha + damping->beta * reduced.omega[j] * reduced.omega[j])
                 : Real(whole.delta.dot(basis.col(j).cwiseAbs2()));
+    if (whole.coupling.size() > 0)
+      reduced.delta[j] += basis.col(j).dot(image<Real>(whole.coupling, basis.col(j))) / 2;
+  }
   if (whole.forced) reduced.amplitude = along_each<Real>(basis, whole.amplitude);
   reduced.load = balanced_load();
 }
@@ -179,6 +185,8 @@ std::vector<Observable<Real>> ConstrainedStructure<Real>::observables(const Syst
       const Real unit = Real(1) / row.squaredNorm();
       seen.displacement = -unit * whole.omega.cwiseAbs2().cwiseProduct(share);
       seen.velocity = -2 * unit * whole.delta.cwiseProduct(share);
+      if (whole.coupling.size() > 0)
+        seen.velocity -= unit * transposed_image<Real>(whole.coupling, share);
       if (whole.load.size() > 0) seen.constant = unit * along<Real>(share, whole.load);
       if (whole.forced) seen.harmonic.re = unit * along<Real>(share, whole.amplitude);
     }

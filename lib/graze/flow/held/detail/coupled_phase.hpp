@@ -1,5 +1,5 @@
-// The phase of a structure whose modes do not decouple because of closed stops or of springs
-// (linear_spring_phase.hpp).
+// The phase of a structure whose modes do not decouple because of closed stops, of damping or of
+// springs (linear_spring_phase.hpp).
 #pragma once
 
 #include "graze/flow/held/detail/exact_phase.hpp"
@@ -13,7 +13,10 @@ class CoupledPhase : public ExactPhase<double> {
   CoupledPhase(const System& system, PhaseKey key, ConstrainedStructure<double> structure,
                const CoupledSystem& equations);
 
-  std::string refusal() const override { return flow_.instability(); }
+  // Damping takes energy; growth can only come from an oblique law.
+  std::string refusal() const override {
+    return structure().is_free() ? std::string() : flow_.instability();
+  }
   void start(const double& theta, const Vector& q, const Vector& qdot, const double& time) override;
   void state(const double& s, Vector& q, Vector& qdot) const override;
   const CoupledArc* coupled_arc() const override { return &arc_; }

@@ -23,7 +23,6 @@ class LinearSpringPhase final : public CoupledPhase {
   using ContactPhase<double>::start;
   LinearSpringPhase(const System& system, const PhaseKey& key);
 
-  std::string refusal() const override;
   void start(const double& theta, const Vector& q, const Vector& qdot, const double& time) override;
   Arrival<double> first_event(const MotionState<double>& now,
                               const Flight<double>& flight) override;

@@ -82,6 +82,9 @@ class PeriodicResponse {
   std::vector<double> rest_at_;     // along each row, m
 };
 
+// Why there is no closed form where modes do not move by themselves.
+inline constexpr const char* kCoupledModes = "damping couples the modes";
+
 struct PeriodicResponseAnswer {
   std::optional<PeriodicResponse> response;
   std::string why_not;  // a sentence where there is none

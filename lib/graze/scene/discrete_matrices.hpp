@@ -1,0 +1,32 @@
+// The matrices of a structure whose numbers stand in the scene: masses and springs, or matrices row
+// by row.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "graze/base/vector.hpp"
+#include "graze/scene/scene.hpp"
+
+namespace graze {
+
+// n x n each, n the number of masses or of rows; kg, N s/m, N/m.
+struct DiscreteMatrices {
+  Matrix mass, damping, stiffness;
+};
+
+// Whether they stand in the scene, and not in files.
+bool has_own_matrices(const Scene& scene);
+
+// They are linear in the numbers of the scene: of a direction (parameter_direction) they are the
+// rates. Requires a scene that has them, and passed check_discrete.
+DiscreteMatrices discrete_matrices(const Scene& scene);
+
+// The mass that a text names, from 0: its number, from 1, or its name; -1: the ground, "0" or
+// "ground". Returns nullopt where there is none of that name.
+std::optional<int> mass_named(const LumpedStructure& lumped, const std::string& text);
+
+// Throws InputError where springs, names or rows do not fit each other.
+void check_discrete(const Scene& scene);
+
+}  // namespace graze
