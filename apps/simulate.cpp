@@ -15,6 +15,7 @@
 #include "graze/base/errors.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
+#include "graze/scene/matrix_structure.hpp"
 #include "graze/study/cost/step_choice.hpp"
 #include "option_notes.hpp"
 #include "resumption.hpp"
@@ -279,6 +280,7 @@ int run(const SimulateCommand& command) {
   record.info = info_of_call(command, scene);
   record.system = assemble(scene);
   record.probes = probe_rows(scene, record.system);
+  record.coordinates = coordinate_rows(scene);
   Plan plan = planned(command, scene, record);
   note_run(command, plan.options, plan.cut, plan.rate, record.info);
   record.warnings = system_warnings(scene, record.system);

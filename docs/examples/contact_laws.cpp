@@ -42,6 +42,7 @@ std::string asking(const std::string& model, double e) {
   char text[160];
   const char* form = "model=\"%s\",restitution=%.17g,speed=0.1";
   if (model == "kelvin-voigt") form = "model=\"%s\",restitution=%.17g,mass=0.1";
+  if (model == "jankowski") form = "model=\"%s\",restitution=%.17g,mass=0.1";
   if (model == "lee-wang-2") form = "model=\"%s\",restitution=%.17g,mass=0.1,onset=5e-6";
   if (model == "lee-wang-1") form = "model=\"%s\",alpha=%.17g";
   const double number = model == "lee-wang-1" ? (1.0 - e) / kSpeed : e;
@@ -54,6 +55,7 @@ std::vector<Law> laws() {
   // C as Yigit, Ulsoy and Scott, J. Sound Vib. 137 (1990) 183-203, print them for two steel balls.
   const std::string depth = "model=\"lee-wang-1\",coefficient=1.92e8";
   const std::string onset = "model=\"lee-wang-2\",coefficient=800,onset=5e-6";
+  const std::string step = "model=\"adams\",coefficient=800,onset=5e-6";
   const std::string constant = "model=\"kelvin-voigt\",coefficient=800";
   return {{"none", "linear", "force", "1", ""},
           {"none", "Hertz", "force", "1", ""},
@@ -73,7 +75,10 @@ std::vector<Law> laws() {
           {"lankarani-nikravesh", "linear", "force", "0.5", asking("lankarani-nikravesh", 0.5)},
           {"lankarani-nikravesh", "Hertz", "force", "0.5", asking("lankarani-nikravesh", 0.5)},
           {"flores", "linear", "force", "0.5", asking("flores", 0.5)},
-          {"flores", "Hertz", "force", "0.5", asking("flores", 0.5)}};
+          {"flores", "Hertz", "force", "0.5", asking("flores", 0.5)},
+          {"adams", "linear", "position", "-", step},
+          {"jankowski", "Hertz", "force", "0.5", asking("jankowski", 0.5)},
+          {"elasto-gap", "linear", "force", "-", "model=\"elasto-gap\",coefficient=800"}};
 }
 
 Scene scene_of(const Law& law, double speed) {

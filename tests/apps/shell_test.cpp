@@ -85,7 +85,7 @@ TEST(Shell, InitWritesOverNothing) {
   EXPECT_EQ(read_text(file), "mine");
   EXPECT_EQ(run_graze("init beam " + scratch.string() + "/none/scene.toml").code, 4);
   EXPECT_EQ(run_graze("init beem").err,
-            "graze: KIND: 'beem' is not allowed; give beam, oscillator, matrices or hub (see graze "
+            "graze: KIND: 'beem' is not allowed; give beam, lumped, oscillator, matrices or hub (see graze "
             "init --help)\n");
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -17,7 +18,8 @@ std::vector<ContactForce> all_laws() {
   for (const double exponent : {1.0, 1.5, 2.3})
     for (const ContactDamping damping :
          {ContactDamping::kNone, ContactDamping::kConstant, ContactDamping::kDepth,
-          ContactDamping::kOnset, ContactDamping::kPower})
+          ContactDamping::kOnset, ContactDamping::kPower, ContactDamping::kStep,
+          ContactDamping::kApproach, ContactDamping::kCapped})
       laws.push_back(law(exponent, damping));
   return laws;
 }
@@ -38,6 +40,14 @@ double written_out(const ContactForce& f, double x, double v) {
                                    (f.onset_sharpness / f.onset_depth));
     case ContactDamping::kPower:
       return spring + f.coefficient * std::pow(x, f.exponent) * v;
+    case ContactDamping::kStep: {
+      const double part = std::min(x / f.onset_depth, 1.0);
+      return spring + f.coefficient * part * part * (3.0 - 2.0 * part) * v;
+    }
+    case ContactDamping::kApproach:
+      return spring + f.coefficient * std::pow(x, 0.5 * (f.exponent - 1.0)) * std::max(v, 0.0);
+    case ContactDamping::kCapped:
+      return spring + std::min(std::max(f.coefficient * v, -spring), spring);
   }
   return 0.0;
 }
@@ -63,14 +73,17 @@ TEST(ContactForce, DerivativesByDepthAndRate) {
       for (const double v : {-0.7, 0.4}) {
         const double meant = slope([&](double d) { return written_out(f, d, v); }, x);
         EXPECT_NEAR(f.by_depth(x, v), meant, 1e-8 * std::abs(meant));
-        EXPECT_NEAR(f.resistance(x), written_out(f, x, 1.0) - written_out(f, x, 0.0),
-                    1e-12 * f.at(x, 1.0));
+        const double by_rate = slope([&](double u) { return written_out(f, x, u); }, v);
+        EXPECT_NEAR(f.by_rate(x, v), by_rate, 1e-9 * (1.0 + std::abs(by_rate)));
+        EXPECT_NEAR(f.resisting(x, v), written_out(f, x, v) - written_out(f, x, 0.0),
+                    1e-12 * std::abs(f.at(x, 1.0)));
       }
 }
 
 TEST(ContactForce, DerivativesByItsNumbers) {
   for (const ContactForce& f : all_laws()) {
-    const double x = 0.013, v = -0.4;
+    // What acts only on the way in is looked at there.
+    const double x = 0.013, v = f.damping == ContactDamping::kApproach ? 0.4 : -0.4;
     const auto by = [&](double ContactForce::*number) {
       return slope(
           [&](double value) {

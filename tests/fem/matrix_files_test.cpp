@@ -100,6 +100,22 @@ TEST_F(MatrixFiles, MatrixMarketIsRefusedWithItsLine) {
             "1.5; their difference is 0.25 of its scale, allowed is 1e-08");
 }
 
+// Of what turns the damping is not symmetric.
+TEST_F(MatrixFiles, DampingNeedNotBeSymmetric) {
+  const auto file = write("c.mtx",
+                          "%%MatrixMarket matrix coordinate real general\n2 2 3\n1 1 0.5\n"
+                          "1 2 -6\n2 1 6\n");
+  EXPECT_THROW(read_matrix(file), InputError);
+  const Matrix read = read_general_matrix(file).matrix;
+  EXPECT_EQ(read, (Matrix(2, 2) << 0.5, -6.0, 6.0, 0.0).finished());
+  const auto unit = write("m.mtx",
+                          "%%MatrixMarket matrix coordinate real symmetric\n2 2 2\n"
+                          "1 1 1\n2 2 1\n");
+  const StructuralMatrices whole = read_structure({unit, unit, file, {}, {}});
+  EXPECT_EQ(Matrix(*whole.damping), read);
+  EXPECT_THROW(read_structure({file, unit, {}, {}, {}}), InputError);
+}
+
 // One triangle by an order of nodes of the program's own: here node 7 comes before node 3.
 TEST_F(MatrixFiles, AbaqusNamesItsRows) {
   const LabelledMatrix read_one =

@@ -314,7 +314,11 @@ TEST(ModalDamping, OneDashpotCouplesAllModes) {
   const StructuralModes modes = lowest_modes(structure, 5);
   const ModalDamping damping = modal_damping(structure, modes);
   EXPECT_FALSE(damping.is_proportional);
-  EXPECT_NEAR(damping.coupling, 1.0, 1e-12);
+  ASSERT_EQ(damping.coupling.cols(), 5);
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j)
+      EXPECT_NEAR(std::abs(damping.coupling(i, j)),
+                  i == j ? 0.0 : 2.0 * std::sqrt(damping.delta[i] * damping.delta[j]), 1e-13);
   for (int j = 1; j <= 5; ++j)
     EXPECT_NEAR(damping.delta[j - 1], 0.2 * std::pow(std::sin(j * kPi / 6.0), 2.0) / 6.0, 1e-12);
 }

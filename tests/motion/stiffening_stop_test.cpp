@@ -39,6 +39,7 @@ ContactForce dashpot(double k, double r) {
 // With restitution r at this speed.
 ContactForce hunt_crossley(double k, double r, double speed) {
   Spring spring;
+  spring.exponent = 1.5;
   spring.stiffness = k;
   spring.damping.emplace();
   spring.damping->model = ContactModel::kHuntCrossley;

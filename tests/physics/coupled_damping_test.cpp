@@ -132,6 +132,8 @@ TEST(CoupledDamping, OnACompliantStopTheSameMotionStepByStep) {
   StepSetting setting;
   setting.method = StepMethod::kFehlberg78;
   setting.tolerance = 1e-14;
+  setting.speed = 1.0;
+  setting.longest = longest_stable_step(system, setting.method);
   options.steps = setting;
   const support::RecordedRun stepped = support::record_run(system, start, options);
   ASSERT_EQ(exact.events.size(), stepped.events.size());

@@ -34,6 +34,7 @@ const std::map<std::string, std::string> kOtherwise = {
     {"matrices.coordinates", "of pictures; sets of nodes in it are looked up by name"},
     {"matrices.direction",
      "of base forcing and gravity, which a scene need not have to show modes"},
+    {"initial.at", "is where it starts anyway without a constant load"},
     {"stop.spring.damping.inversion", "where formulas are published that are not exact"},
     {"solver.flow", "how the motion is found"},
     {"solver.tolerance", "how the motion is found"},

@@ -77,7 +77,7 @@ void expect_digits(double value, double expected, int digits) {
 
 TEST(ContactLaws, ThereAreThreeTablesOfAllLaws) {
   ASSERT_EQ(tables().size(), 3u);
-  for (const auto& table : tables()) EXPECT_EQ(table.size(), 19u);
+  for (const auto& table : tables()) EXPECT_EQ(table.size(), 22u);
 }
 
 // Half a period pi sqrt(m/k) with the force v sqrt(k m); Hertz's: x_max = (5 m v^2/(4 k))^(2/5) and
@@ -146,7 +146,7 @@ TEST(ContactLaws, DampingThatGrowsWithTheForce) {
   EXPECT_NEAR(restitution("flores | Hertz | force", 1), 0.47044478, 6e-7);
 }
 
-enum class Factor { kConstant, kDepth, kOnset, kForce };
+enum class Factor { kConstant, kDepth, kOnset, kForce, kStep, kApproach, kCapped };
 
 struct Law {
   double stiffness = 0.0, exponent = 1.0;
@@ -156,12 +156,19 @@ struct Law {
 
   double force(double x, double v) const {
     const double power = std::pow(std::max(x, 0.0), exponent);
-    const double onset = 5e-6;
+    const double onset = 5e-6, part = std::min(std::max(x, 0.0) / onset, 1.0);
+    if (factor == Factor::kCapped)
+      return stiffness * power +
+             std::min(std::max(coefficient * v, -stiffness * power), stiffness * power);
+    if (factor == Factor::kApproach && v < 0.0) return stiffness * power;
     const double t = factor == Factor::kConstant ? 1.0
                      : factor == Factor::kDepth  ? x
                      : factor == Factor::kForce  ? power
-                     : x < onset                 ? std::exp(6.0 * (x - onset) / onset)
-                                                 : 1.0;
+                     : factor == Factor::kStep   ? part * part * (3.0 - 2.0 * part)
+                     : factor == Factor::kApproach
+                         ? std::pow(std::max(x, 0.0), 0.5 * (exponent - 1.0))
+                     : x < onset ? std::exp(6.0 * (x - onset) / onset)
+                                 : 1.0;
     return stiffness * power + coefficient * t * v;
   }
 };
@@ -241,7 +248,15 @@ const std::map<std::string, Law>& written_out() {
       {"lankarani-nikravesh | linear | force", {kLinear, 1.0, Factor::kForce, 5.625 * kLinear}},
       {"lankarani-nikravesh | Hertz | force", {kHertz, 1.5, Factor::kForce, 5.625 * kHertz}},
       {"flores | linear | force", {kLinear, 1.0, Factor::kForce, 16.0 * kLinear}},
-      {"flores | Hertz | force", {kHertz, 1.5, Factor::kForce, 16.0 * kHertz}}};
+      {"flores | Hertz | force", {kHertz, 1.5, Factor::kForce, 16.0 * kHertz}},
+      {"adams | linear | position", {kLinear, 1.0, Factor::kStep, 800.0, true}},
+      // zeta = (9 sqrt 5/2) (1 - e^2)/(e (e (9 pi - 16) + 16)), e = 1/2 (Jankowski 2006).
+      {"jankowski | Hertz | force",
+       {kHertz, 1.5, Factor::kApproach,
+        2.0 * 4.5 * std::sqrt(5.0) * 0.75 / (0.5 * (0.5 * (9.0 * std::numbers::pi - 16.0) + 16.0)) *
+            std::sqrt(kHertz * kMass),
+        true}},
+      {"elasto-gap | linear | force", {kLinear, 1.0, Factor::kCapped, 800.0, true}}};
   return laws;
 }
 

@@ -156,7 +156,7 @@ TEST_F(MatrixReader, WhatDoesNotFitIsRefused) {
             "scene.toml:4:1: matrices.modes: 2 is not allowed, the matrices have 1 degree of "
             "freedom that is not held");
   EXPECT_EQ(refusal("", "[[stop]]\nposition = 1.0\nnode = \"2.1\"\ngap = 0.1\nrestitution = 0.5\n"),
-            "scene.toml:6:1: stop.position: a stop of [matrices] has no position, it must have a "
+            "scene.toml:6:1: stop.position: a point of [matrices] has no position, it must have a "
             "node");
   EXPECT_EQ(refusal("", "[forcing]\namplitude = 1.0\nfrequency = 2.0\n"),
             "scene.toml:1:1: matrices.direction: forcing of the kind \"base\" needs the direction "
@@ -174,7 +174,7 @@ TEST_F(MatrixReader, WhatDoesNotFitIsRefused) {
   EXPECT_EQ(
       refusal("", "[modal]\nfrequencies = [1.0]\n"),
       "scene.toml:1:1: matrices: the scene has a [modal] already, it must have exactly one of "
-      "[beam], [string], [bar], [modal] and [matrices]");
+      "[beam], [string], [bar], [modal], [matrices] and [lumped]");
   EXPECT_THROW(read("dofs = \"absent.dof\"\n"), FileError);
   write("names.dof", "1.1\n2.1\n");
   EXPECT_EQ(refusal("dofs = \"names.dof\"\n"),

@@ -19,7 +19,10 @@ double effective_restitution(const ContactForce& law, const SpringDamping& dampi
 }  // namespace
 
 std::optional<RequestedRestitution> requested_restitution(const Spring& spring) {
-  if (!spring.damping || !spring.damping->restitution) return {};
+  // What Jankowski's comes to depends on the motion.
+  if (!spring.damping || !spring.damping->restitution ||
+      spring.damping->model == ContactModel::kJankowski)
+    return {};
   const SpringDamping& damping = *spring.damping;
   RequestedRestitution asked{*damping.restitution,
                              damping.speed,

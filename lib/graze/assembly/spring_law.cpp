@@ -58,6 +58,15 @@ Moving power_in_print(ContactModel model, const Moving& e) {
   }
 }
 
+// zeta over e of Jankowski's model.
+Moving jankowski_ratio(const Moving& e) {
+  const double r = e.value, zeta = jankowski_damping_ratio(r), p = 9.0 * std::numbers::pi - 16.0;
+  const double slope = 4.5 * std::sqrt(5.0) *
+                       (-2.0 * r / (r * (r * p + 16.0)) -
+                        (1.0 - r * r) * (2.0 * r * p + 16.0) / std::pow(r * (r * p + 16.0), 2.0));
+  return {zeta, slope * e.rate};
+}
+
 // C = 2 zeta sqrt(k m).
 Moving of_ratio(const Moving& zeta, const Moving& k, const Moving& mass) {
   const double root = std::sqrt(k.value * mass.value);
@@ -83,6 +92,11 @@ Moving coefficient(const Spring& spring, const SpringDamping& damping, const Spr
       const bool at_force = damping.exact && spring.release == Separation::kAtZeroForce;
       return of_ratio(at_force ? ratio_at_zero_force(e) : ratio_in_print(e), k, mass);
     }
+    case ContactModel::kAdams:
+    case ContactModel::kElastoGap:
+    case ContactModel::kJankowski:
+      return of_ratio(damping.ratio ? moving(damping.ratio, rate.ratio) : jankowski_ratio(e), k,
+                      mass);
     case ContactModel::kLeeWang1:
       return of_stiffness({0.75 * alpha.value, 0.75 * alpha.rate}, k);
     case ContactModel::kHuntCrossley:
@@ -108,6 +122,12 @@ ContactDamping shape(ContactModel model) {
     case ContactModel::kLankaraniNikravesh:
     case ContactModel::kFlores:
       return ContactDamping::kPower;
+    case ContactModel::kAdams:
+      return ContactDamping::kStep;
+    case ContactModel::kJankowski:
+      return ContactDamping::kApproach;
+    case ContactModel::kElastoGap:
+      return ContactDamping::kCapped;
   }
   return ContactDamping::kNone;
 }
@@ -144,7 +164,7 @@ ContactForce spring_law(const Spring& spring) {
   const SpringDamping& damping = *spring.damping;
   law.damping = shape(damping.model);
   law.coefficient = coefficient(spring, damping, {}, {law.stiffness, 0.0}).value;
-  if (law.damping != ContactDamping::kOnset) return law;
+  if (!damping.onset) return law;
   law.onset_depth = *damping.onset;
   law.onset_sharpness = damping.sharpness.value_or(kSharpness);
   return law;

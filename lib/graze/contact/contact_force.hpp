@@ -8,26 +8,40 @@
 //   depth        T = x                                    Lee & Wang's first
 //   onset        T = e^{2 Q (x - h)/h} up to x = h, then 1   Lee & Wang's second: it sets in over
 //                                                         the depth h, from e^{-2Q} on
+//   step         T = 3 (x/h)^2 - 2 (x/h)^3 up to x = h, then 1   IMPACT and BISTOP of Adams
 //   power        T = x^n                                  Hunt & Crossley, Lankarani & Nikravesh,
 //                                                         Flores et al.
+//   approach     T = x^((n-1)/2) while v > 0, then 0      Jankowski
+//   capped       C v, but no more than k x^n either way   ElastoGap of Modelica
 //
 // A contact ends where F falls through zero, or where x does (then F pulls at last).
 //   A. S. Yigit, A. G. Ulsoy, R. A. Scott, J. Sound Vib. 137 (1990) 183-203, eqs. 26 to 33.
 //   K. H. Hunt, F. R. E. Crossley, J. Appl. Mech. 42 (1975) 440-445.
+//   R. Jankowski, Earthquake Engng Struct. Dyn. 34 (2005) 595-611.
 #pragma once
 
 #include <cmath>
 
 namespace graze {
 
-enum class ContactDamping { kNone, kConstant, kDepth, kOnset, kPower };
+enum class ContactDamping {
+  kNone,
+  kConstant,
+  kDepth,
+  kOnset,
+  kPower,
+  kStep,
+  kApproach,
+  kCapped
+};
 enum class Separation { kAtZeroForce, kAtZeroDepth };
 
 struct ContactForce {
   double stiffness = 0.0;  // k, N/m^n
   double exponent = 1.0;   // n, >= 1
   ContactDamping damping = ContactDamping::kNone;
-  double coefficient = 0.0;      // C: N s/m (constant, onset), N s/m^2 (depth), N s/m^(n+1) (power)
+  // C: N s/m, but N s/m^2 (depth), N s/m^(n+1) (power), N s/m^((n+1)/2) (approach)
+  double coefficient = 0.0;
   double onset_depth = 0.0;      // h, m
   double onset_sharpness = 0.0;  // Q
   Separation separation = Separation::kAtZeroForce;
@@ -51,7 +65,12 @@ struct ContactForce {
       case ContactDamping::kNone:
         return 0.0;
       case ContactDamping::kConstant:
+      case ContactDamping::kCapped:
         return coefficient;
+      case ContactDamping::kStep:
+        return coefficient * step(x);
+      case ContactDamping::kApproach:
+        return coefficient * std::pow(std::abs(x), 0.5 * (exponent - 1.0));
       case ContactDamping::kDepth:
         return coefficient * x;
       case ContactDamping::kOnset:
@@ -66,9 +85,16 @@ struct ContactForce {
     switch (damping) {
       case ContactDamping::kNone:
       case ContactDamping::kConstant:
+      case ContactDamping::kCapped:
         return 0.0;
       case ContactDamping::kDepth:
         return coefficient;
+      case ContactDamping::kStep:
+        return 0.0 < x && x < onset_depth
+                   ? 6.0 * coefficient * x * (onset_depth - x) / std::pow(onset_depth, 3.0)
+                   : 0.0;
+      case ContactDamping::kApproach:
+        return exponent == 1.0 || x == 0.0 ? 0.0 : 0.5 * (exponent - 1.0) * resistance(x) / x;
       case ContactDamping::kOnset:
         return x < onset_depth ? 2.0 * onset_sharpness / onset_depth * resistance(x) : 0.0;
       case ContactDamping::kPower:
@@ -77,12 +103,20 @@ struct ContactForce {
     return 0.0;
   }
 
-  // F, N.
-  double at(double x, double v) const { return stiffness * power(x) + resistance(x) * v; }
-  // dF/dx, N/m; dF/dv is resistance(x), N s/m.
-  double by_depth(double x, double v) const {
-    return stiffness * power_slope(x) + resistance_slope(x) * v;
+  // The part of the force that the damping makes, N; F.
+  double resisting(double x, double v) const {
+    if (!acts(x, v))
+      return is_capped(x, v) ? std::copysign(stiffness * power(std::abs(x)), v) : 0.0;
+    return resistance(x) * v;
   }
+  double at(double x, double v) const { return stiffness * power(x) + resisting(x, v); }
+  // dF/dx, N/m, and dF/dv, N s/m.
+  double by_depth(double x, double v) const {
+    const double elastic = stiffness * power_slope(x);
+    if (!acts(x, v)) return is_capped(x, v) ? elastic + std::copysign(elastic, v) : elastic;
+    return elastic + resistance_slope(x) * v;
+  }
+  double by_rate(double x, double v) const { return acts(x, v) ? resistance(x) : 0.0; }
   // Derivative of F at fixed x and v when the numbers of the law move along `rates`.
   double rate_at(double x, double v, const ContactForce& rates) const;
   // F divided by the power of x that all its terms share: it has the sign of F for x > 0, but not
@@ -90,12 +124,16 @@ struct ContactForce {
   double grip(double x, double v) const {
     switch (damping) {
       case ContactDamping::kNone:
+      case ContactDamping::kApproach:
+      case ContactDamping::kCapped:
         return stiffness;
       case ContactDamping::kConstant:
       case ContactDamping::kOnset:
         return at(x, v);
       case ContactDamping::kDepth:
         return stiffness * std::pow(std::abs(x), exponent - 1.0) + coefficient * v;
+      case ContactDamping::kStep:
+        return stiffness * std::pow(std::abs(x), exponent - 1.0) + coefficient * step_share(x) * v;
       case ContactDamping::kPower:
         return stiffness + coefficient * v;
     }
@@ -106,7 +144,11 @@ struct ContactForce {
     const double speed = std::abs(v);
     switch (damping) {
       case ContactDamping::kNone:
+      case ContactDamping::kApproach:
+      case ContactDamping::kCapped:
         return stiffness;
+      case ContactDamping::kStep:
+        return grip(x, speed);
       case ContactDamping::kConstant:
       case ContactDamping::kOnset:
         return stiffness * std::abs(power(x)) + std::abs(resistance(x)) * speed;
@@ -119,18 +161,26 @@ struct ContactForce {
   }
   // Rate of change of grip() where the depth has the acceleration a.
   double grip_rate(double x, double v, double a) const {
+    const auto elastic_slope = [&] {
+      return exponent == 1.0 || x == 0.0
+                 ? 0.0
+                 : stiffness * (exponent - 1.0) * std::pow(std::abs(x), exponent - 2.0) *
+                       std::copysign(1.0, x);
+    };
     switch (damping) {
       case ContactDamping::kNone:
+      case ContactDamping::kApproach:
+      case ContactDamping::kCapped:
         return 0.0;
       case ContactDamping::kConstant:
       case ContactDamping::kOnset:
         return by_depth(x, v) * v + resistance(x) * a;
-      case ContactDamping::kDepth: {
-        const double slope =
-            exponent == 1.0 || x == 0.0
-                ? 0.0
-                : (exponent - 1.0) * std::pow(std::abs(x), exponent - 2.0) * std::copysign(1.0, x);
-        return stiffness * slope * v + coefficient * a;
+      case ContactDamping::kDepth:
+        return elastic_slope() * v + coefficient * a;
+      case ContactDamping::kStep: {
+        const double h = onset_depth;
+        const double slope = x < h ? (3.0 - 4.0 * x / h) / (h * h) : -1.0 / (x * x);
+        return elastic_slope() * v + coefficient * (slope * v * v + step_share(x) * a);
       }
       case ContactDamping::kPower:
         return coefficient * a;
@@ -139,7 +189,8 @@ struct ContactForce {
   }
   // Whether F can fall to zero before x does.
   bool parts_early() const {
-    return separation == Separation::kAtZeroForce && damping != ContactDamping::kNone;
+    return separation == Separation::kAtZeroForce && damping != ContactDamping::kNone &&
+           damping != ContactDamping::kApproach && damping != ContactDamping::kCapped;
   }
   // Energy stored in the spring, J.
   double stored(double x) const { return stiffness * power(x) * x / (exponent + 1.0); }
@@ -149,10 +200,38 @@ struct ContactForce {
   }
   // Whether F is zero at the onset of a contact at speed v > 0: else the force jumps there.
   bool sets_in_smoothly() const {
-    return damping != ContactDamping::kConstant && damping != ContactDamping::kOnset;
+    return damping != ContactDamping::kConstant && damping != ContactDamping::kOnset &&
+           !(damping == ContactDamping::kApproach && exponent == 1.0);
+  }
+  // N s/m: by this times the speed the force jumps where a contact begins at the surface, or ends.
+  double jump_at_surface(bool begins) const {
+    if (damping == ContactDamping::kApproach && !begins) return 0.0;
+    return damping == ContactDamping::kNone || damping == ContactDamping::kCapped ? 0.0
+                                                                                  : resistance(0.0);
+  }
+  // Whether one formula holds from the beginning of a contact to its end, but for an onset.
+  bool is_of_one_piece() const {
+    return damping != ContactDamping::kStep && damping != ContactDamping::kApproach &&
+           damping != ContactDamping::kCapped;
   }
 
  private:
+  bool is_capped(double x, double v) const {
+    return damping == ContactDamping::kCapped &&
+           coefficient * std::abs(v) >= stiffness * power(std::abs(x));
+  }
+  // Whether the damping is C T(x) v there.
+  bool acts(double x, double v) const {
+    if (damping == ContactDamping::kApproach) return v > 0.0;
+    return damping != ContactDamping::kNone && !is_capped(x, v);
+  }
+  // T of a step, and T/x.
+  double step(double x) const { return x * step_share(x); }
+  double step_share(double x) const {
+    if (!(x > 0.0)) return 0.0;
+    const double part = x / onset_depth;
+    return part < 1.0 ? part * (3.0 - 2.0 * part) / onset_depth : 1.0 / x;
+  }
   double onset(double x) const {
     return x < onset_depth ? std::exp(2.0 * onset_sharpness * (x - onset_depth) / onset_depth)
                            : 1.0;

@@ -76,4 +76,8 @@ double lankarani_nikravesh_damping(double restitution) {
 
 double flores_damping(double restitution) { return 1.6 * (1.0 - restitution) / restitution; }
 
+double jankowski_damping_ratio(double e) {
+  return 4.5 * std::sqrt(5.0) * (1.0 - e * e) / (e * (e * (9.0 * std::numbers::pi - 16.0) + 16.0));
+}
+
 }  // namespace graze

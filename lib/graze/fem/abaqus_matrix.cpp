@@ -93,8 +93,8 @@ LabelledMatrix read_abaqus(TextLines& lines) {
     if (entry.row == entry.column && entry.value >= kHeldStiffness)
       result.held.push_back(result.labels[static_cast<std::size_t>(entry.row)]);
   std::erase_if(entries, [](const MatrixEntry& entry) { return entry.value >= kHeldStiffness; });
-  result.matrix = symmetric_matrix(result.file, static_cast<int>(result.labels.size()),
-                                   std::move(entries), EntryStorage::kEither, result.labels);
+  set_entries(result, static_cast<int>(result.labels.size()), std::move(entries),
+              EntryStorage::kEither);
   return result;
 }
 

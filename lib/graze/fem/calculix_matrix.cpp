@@ -29,8 +29,7 @@ LabelledMatrix read_calculix(TextLines& lines) {
                        lines.real(parts[2])});
   }
   LabelledMatrix result{lines.name(), {}, numbered_labels(static_cast<int>(size)), false, {}};
-  result.matrix = symmetric_matrix(result.file, static_cast<int>(size), std::move(entries),
-                                   EntryStorage::kEither, result.labels);
+  set_entries(result, static_cast<int>(size), std::move(entries), EntryStorage::kEither);
   return result;
 }
 

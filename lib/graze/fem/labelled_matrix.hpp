@@ -1,4 +1,4 @@
-// A symmetric matrix of a finite-element model whose rows have names.
+// A matrix of a finite-element model whose rows have names.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -19,6 +19,9 @@ struct LabelledMatrix {
   std::vector<DofLabel> labels;  // of its rows; 1, 2, .. where the file has no names
   bool has_names = false;        // the labels are those of the file
   std::vector<DofLabel> held;    // rows to which the program gave the stiffness of a held node
+  // Where it is not symmetric, as the damping of what turns need not be: a sentence with an entry
+  // that shows it. Else empty, and mirror images are the same.
+  std::string asymmetry{};
 };
 
 // Largest difference of two entries that mirror each other, relative to the largest of both and of

@@ -10,9 +10,13 @@
 namespace graze {
 namespace {
 
+std::string told(const std::string& file, int line, const std::string& sentence) {
+  return line == 0 ? fmt::format("{}: {}", file, sentence)
+                   : fmt::format("{}:{}: {}", file, line, sentence);
+}
+
 [[noreturn]] void fail(const std::string& file, int line, const std::string& sentence) {
-  throw InputError(line == 0 ? fmt::format("{}: {}", file, sentence)
-                             : fmt::format("{}:{}: {}", file, line, sentence));
+  throw InputError(told(file, line, sentence));
 }
 
 std::string place(const std::vector<DofLabel>& labels, int row, int column) {
@@ -52,33 +56,51 @@ const MatrixEntry* find(const Entries& entries, int row, int column) {
   return found != entries.end() && found->row == row && found->column == column ? &*found : nullptr;
 }
 
-// Replaces each pair of mirror images by their mean.
-void make_symmetric(const std::string& file, Entries& entries, const Vector& diagonal,
-                    const std::vector<DofLabel>& labels) {
-  Entries missing;
+// Calls visit(entry, mirror, other) once for each pair of mirror images, `other` the value of the
+// second, which is null where it is not listed.
+template <class Visit>
+void each_pair(Entries& entries, const Visit& visit) {
   for (MatrixEntry& entry : entries) {
     if (entry.row == entry.column) continue;
     const MatrixEntry* mirror = find(entries, entry.column, entry.row);
-    const double other = mirror ? mirror->value : 0.0;
     // A pair is handled once, when the later of its columns is reached.
     if (mirror && entry.row > entry.column) continue;
+    if (!visit(entry, mirror, mirror ? mirror->value : 0.0)) return;
+  }
+}
+
+// Why the matrix is not symmetric; empty where it is.
+std::string asymmetry_of(const std::string& file, Entries& entries, const Vector& diagonal,
+                         const std::vector<DofLabel>& labels) {
+  std::string why;
+  each_pair(entries, [&](const MatrixEntry& entry, const MatrixEntry*, double other) {
     const double scale = std::max({std::sqrt(diagonal[entry.row] * diagonal[entry.column]),
                                    std::abs(entry.value), std::abs(other)});
     const double difference = std::abs(entry.value - other);
-    if (difference > kAllowedAsymmetry * scale)
-      fail(file, entry.line,
-           fmt::format("the matrix is not symmetric: the entry {} is {} and the entry {} is {}; "
-                       "their difference is {:.2g} of its scale, allowed is {:g}",
-                       place(labels, entry.row, entry.column), entry.value,
-                       place(labels, entry.column, entry.row), other, difference / scale,
-                       kAllowedAsymmetry));
+    if (difference <= kAllowedAsymmetry * scale) return true;
+    why = told(file, entry.line,
+               fmt::format("the matrix is not symmetric: the entry {} is {} and the entry {} is "
+                           "{}; their difference is {:.2g} of its scale, allowed is {:g}",
+                           place(labels, entry.row, entry.column), entry.value,
+                           place(labels, entry.column, entry.row), other, difference / scale,
+                           kAllowedAsymmetry));
+    return false;
+  });
+  return why;
+}
+
+// Replaces each pair of mirror images by their mean.
+void make_symmetric(Entries& entries) {
+  Entries missing;
+  each_pair(entries, [&](MatrixEntry& entry, const MatrixEntry* mirror, double other) {
     const double mean = other + 0.5 * (entry.value - other);
     entry.value = mean;
     if (mirror)
       const_cast<MatrixEntry*>(mirror)->value = mean;
     else
       missing.push_back({entry.column, entry.row, entry.line, mean});
-  }
+    return true;
+  });
   entries.insert(entries.end(), missing.begin(), missing.end());
 }
 
@@ -90,9 +112,9 @@ std::vector<DofLabel> numbered_labels(int size) {
   return labels;
 }
 
-SparseMatrix symmetric_matrix(const std::string& file, int size, Entries entries,
-                              EntryStorage storage, const std::vector<DofLabel>& labels,
-                              bool adds) {
+void set_entries(LabelledMatrix& into, int size, Entries entries, EntryStorage storage, bool adds) {
+  const std::string& file = into.file;
+  const std::vector<DofLabel>& labels = into.labels;
   if (size == 0 || entries.empty()) fail(file, 0, "the matrix has no entries");
   unite(file, entries, labels, adds);
   Vector diagonal = Vector::Zero(size);
@@ -110,7 +132,8 @@ SparseMatrix symmetric_matrix(const std::string& file, int size, Entries entries
                     "one of them must be",
                     place(labels, pair->row, pair->column)));
   if (storage == EntryStorage::kFull || (storage == EntryStorage::kEither && pair)) {
-    make_symmetric(file, entries, diagonal, labels);
+    into.asymmetry = asymmetry_of(file, entries, diagonal, labels);
+    if (into.asymmetry.empty()) make_symmetric(entries);
   } else {
     const std::size_t listed = entries.size();
     for (std::size_t i = 0; i < listed; ++i)
@@ -122,19 +145,16 @@ SparseMatrix symmetric_matrix(const std::string& file, int size, Entries entries
   for (const MatrixEntry& entry : entries)
     triplets.emplace_back(entry.row, entry.column, entry.value);
   entries = {};
-  SparseMatrix matrix(size, size);
-  matrix.setFromTriplets(triplets.begin(), triplets.end());
-  return matrix;
+  into.matrix.resize(size, size);
+  into.matrix.setFromTriplets(triplets.begin(), triplets.end());
 }
 
-SparseMatrix symmetric_matrix(const std::string& file, const Matrix& dense,
-                              const std::vector<DofLabel>& labels) {
+void set_entries(LabelledMatrix& into, const Matrix& dense) {
   Entries entries;
   for (int j = 0; j < dense.cols(); ++j)
     for (int i = 0; i < dense.rows(); ++i)
       if (dense(i, j) != 0.0) entries.push_back({i, j, 0, dense(i, j)});
-  return symmetric_matrix(file, static_cast<int>(dense.rows()), std::move(entries),
-                          EntryStorage::kFull, labels);
+  set_entries(into, static_cast<int>(dense.rows()), std::move(entries), EntryStorage::kFull);
 }
 
 }  // namespace graze

@@ -52,7 +52,13 @@ std::vector<DofLabel> names_in(const std::filesystem::path& file,
 
 }  // namespace
 
-LabelledMatrix read_matrix(const std::filesystem::path& given) {
+LabelledMatrix read_matrix(const std::filesystem::path& file) {
+  LabelledMatrix matrix = read_general_matrix(file);
+  if (!matrix.asymmetry.empty()) throw InputError(matrix.asymmetry);
+  return matrix;
+}
+
+LabelledMatrix read_general_matrix(const std::filesystem::path& given) {
   std::filesystem::path file = given;
   const std::string wanted = cut_name(file);
   const std::string kind = lower_extension(file), name = file.string();

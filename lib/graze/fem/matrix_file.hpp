@@ -25,6 +25,8 @@ namespace graze {
 // Throws FileError where the file cannot be read, InputError ("file:line: sentence") where it is no
 // such matrix: malformed, not square, complex, not symmetric, not finite.
 LabelledMatrix read_matrix(const std::filesystem::path& file);
+// The same for one that need not be symmetric.
+LabelledMatrix read_general_matrix(const std::filesystem::path& file);
 
 // Names of degrees of freedom, one a line, "12.3" or "7"; `#` starts a comment. Throws likewise,
 // also where a name stands twice.

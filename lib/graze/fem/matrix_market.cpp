@@ -104,9 +104,8 @@ LabelledMatrix read_matrix_market(TextLines& lines) {
                                          ? array_entries(lines, size, banner.is_symmetric)
                                          : listed_entries(lines, size, lines.integer(sizes[2]));
   if (next_entry(lines)) lines.fail("the file goes on after the last of its entries");
-  result.matrix = symmetric_matrix(
-      result.file, size, std::move(entries),
-      banner.is_symmetric ? EntryStorage::kOneTriangle : EntryStorage::kFull, result.labels);
+  set_entries(result, size, std::move(entries),
+              banner.is_symmetric ? EntryStorage::kOneTriangle : EntryStorage::kFull);
   return result;
 }
 

@@ -23,6 +23,6 @@ struct ModalDamping {
 // For a structure with a damping matrix. `proportional`: one of the limits above. Throws InputError
 // where some motion takes energy from it.
 ModalDamping modal_damping(const StructuralMatrices& structure, const StructuralModes& modes,
-                           double proportional);
+                           double proportional = kProportional);
 
 }  // namespace graze

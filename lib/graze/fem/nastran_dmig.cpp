@@ -172,9 +172,8 @@ LabelledMatrix read_dmig(TextLines& lines, const std::string& wanted) {
                   fmt::format("the file has no matrix {}, it has {}", wanted, names_of(matrices)));
   LabelledMatrix result{lines.name(), {}, {}, true, {}};
   std::vector<MatrixEntry> entries = indexed(found->second.entries, result.labels);
-  result.matrix = symmetric_matrix(
-      result.file, static_cast<int>(result.labels.size()), std::move(entries),
-      found->second.is_symmetric ? EntryStorage::kOneTriangle : EntryStorage::kFull, result.labels);
+  set_entries(result, static_cast<int>(result.labels.size()), std::move(entries),
+              found->second.is_symmetric ? EntryStorage::kOneTriangle : EntryStorage::kFull);
   return result;
 }
 

@@ -157,7 +157,7 @@ LabelledMatrix dense_matrix(const std::string& name, const NumpyArray& array) {
       dense(i, j) = array.at(i, j);
     }
   LabelledMatrix result{name, {}, numbered_labels(static_cast<int>(n)), false, {}};
-  result.matrix = symmetric_matrix(name, dense, result.labels);
+  set_entries(result, dense);
   return result;
 }
 
@@ -230,10 +230,10 @@ LabelledMatrix sparse_matrix(const std::string& name, const Arrays& arrays) {
     throw InputError(fmt::format("{}: the format \"{}\" is not allowed, it must be csr, csc or coo",
                                  name, format));
   LabelledMatrix result{name, {}, numbered_labels(static_cast<int>(n)), false, {}};
-  result.matrix = symmetric_matrix(
-      name, static_cast<int>(n),
+  set_entries(
+      result, static_cast<int>(n),
       format == "coo" ? coordinate_entries(name, arrays, n) : compressed_entries(name, arrays, n),
-      EntryStorage::kEither, result.labels, true);
+      EntryStorage::kEither, true);
   return result;
 }
 

@@ -222,7 +222,7 @@ StructuralMatrices read_structure(const MatrixFiles& files,
                                   const std::vector<DofLabel>& constraints) {
   LabelledMatrix mass = read_matrix(files.mass), stiffness = read_matrix(files.stiffness);
   std::optional<LabelledMatrix> damping;
-  if (files.damping) damping = read_matrix(*files.damping);
+  if (files.damping) damping = read_general_matrix(*files.damping);
   if (files.dofs) {
     const std::vector<DofLabel> names = read_row_names(*files.dofs);
     if (mass.has_names && stiffness.has_names && (!damping || damping->has_names))

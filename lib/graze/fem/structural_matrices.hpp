@@ -33,7 +33,7 @@ struct MatrixFiles {
 
 struct StructuralMatrices {
   SparseMatrix mass, stiffness;         // n x n; kg, N/m of displacements
-  std::optional<SparseMatrix> damping;  // n x n, N s/m
+  std::optional<SparseMatrix> damping;  // n x n, N s/m; need not be symmetric
   std::vector<DofLabel> labels;         // n, of the free degrees of freedom
   std::vector<DofLabel> held;           // those left out, in the order of the files
   // By direction 1, 2, 3 (0 where degrees of freedom have none): the forces M r by which a unit

@@ -79,6 +79,8 @@ struct SimulationRecord {
   RunPicture shown = RunPicture::kMotion;  // in a picture
   std::vector<BeamShape> shapes{};         // at the instants that were asked for
   std::optional<BeamPlaces> beam{};        // where its shape is shown
+  // Displacements of the masses, or of the rows of matrices in the scene, per modal one; empty else.
+  Matrix coordinates{};
   std::vector<std::string> warnings, notes;
   Outcome outcome;
 };

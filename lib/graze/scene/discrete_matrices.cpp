@@ -7,6 +7,7 @@
 
 #include "graze/scene/detail/keys.hpp"
 #include "graze/scene/suggestion.hpp"
+#include "graze/scene/value_checker.hpp"
 
 namespace graze {
 namespace {
@@ -93,9 +94,16 @@ void check_ends(const Scene& scene, const LumpedStructure& lumped, const std::st
 
 void check_lumped(const Scene& scene, const LumpedStructure& lumped) {
   check_names(scene, lumped);
-  for (std::size_t k = 0; k < lumped.springs.size(); ++k)
-    check_ends(scene, lumped, numbered_path("lumped.spring", k + 1) + ".between",
-               lumped.springs[k].between, true);
+  const ValueChecker masses(scene, "lumped");
+  for (std::size_t k = 0; k < lumped.masses.size(); ++k)
+    masses.entry("masses", k + 1, lumped.masses[k], kPositive);
+  for (std::size_t k = 0; k < lumped.springs.size(); ++k) {
+    const std::string path = numbered_path("lumped.spring", k + 1);
+    check_ends(scene, lumped, path + ".between", lumped.springs[k].between, true);
+    const ValueChecker spring(scene, path);
+    spring.number("stiffness", lumped.springs[k].stiffness, kNotNegative);
+    spring.number("damping", lumped.springs[k].damping, kNotNegative);
+  }
   for (std::size_t k = 0; k < lumped.gyroscopic.size(); ++k)
     check_ends(scene, lumped, numbered_path("lumped.gyroscopic", k + 1) + ".between",
                lumped.gyroscopic[k].between, false);

@@ -217,39 +217,6 @@ std::map<int, double> weak_holds(const StructuralMatrices& structure) {
   return weak;
 }
 
-}  // namespace
-
-std::optional<Vector> MatrixModes::row(const std::string& text) const {
-  const std::optional<DofLabel> label = label_from_text(text);
-  if (!label) return {};
-  const auto place = rows.find(*label);
-  if (place == rows.end()) return {};
-  if (place->second < 0) return Vector::Zero(modes.count());
-  return Vector(modes.shapes.row(place->second));
-}
-
-std::array<double, 3> MatrixModes::displacement(long node, Eigen::Index mode) const {
-  std::array<double, 3> moved{};
-  for (int direction = 1; direction <= 3; ++direction) {
-    // The mean where there are several rows, as for the layers of a shell.
-    int count = 0;
-    double sum = 0.0;
-    for (auto place = rows.lower_bound({node, direction});
-         place != rows.end() && place->first.node == node && place->first.direction == direction;
-         ++place, ++count)
-      if (place->second >= 0) sum += modes.shapes(place->second, mode);
-    if (count > 0) moved[static_cast<std::size_t>(direction - 1)] = sum / count;
-  }
-  return moved;
-}
-
-const ModalDamping* damping_of_matrices(const Scene& scene) {
-  const DiscreteStructure* given = scene.discrete();
-  return given && given->solved->damping ? &*given->solved->damping : nullptr;
-}
-
-namespace {
-
 StructuralMatrices matrices_of_files(const Scene& scene, const Mesh& mesh) {
   const MatrixStructure& matrices = *scene.matrices();
   MatrixFiles files{matrices.mass, matrices.stiffness, {}, {}};

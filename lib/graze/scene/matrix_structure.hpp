@@ -63,4 +63,8 @@ const ModalDamping* damping_of_matrices(const Scene& scene);
 // InputError where it cannot be used or where a degree of freedom does not exist.
 void solve_matrices(Scene& scene);
 
+// The displacements of all masses, or rows of matrices in the scene, of each mode, kg^-1/2, n by N;
+// empty for another structure. Zero for what is held.
+Matrix coordinate_rows(const Scene& scene);
+
 }  // namespace graze

@@ -9,7 +9,7 @@
 #include "graze/scene/check.hpp"
 #include "graze/scene/detail/keys.hpp"
 #include "graze/scene/detail/numbers.hpp"
-#include "graze/scene/detail/range_check.hpp"
+#include "graze/scene/detail/quantity_text.hpp"
 #include "graze/scene/discrete_matrices.hpp"
 #include "graze/scene/matrix_structure.hpp"
 #include "graze/scene/suggestion.hpp"
@@ -52,8 +52,12 @@ std::string spring_unit(const Spring& spring, bool of_stiffness) {
   double power = exponent;
   if (!of_stiffness) {
     const ContactModel model = spring.damping->model;
-    const bool plain = model == ContactModel::kKelvinVoigt || model == ContactModel::kLeeWang2;
-    power = plain ? 1.0 : model == ContactModel::kLeeWang1 ? 2.0 : exponent + 1.0;
+    const bool plain = model == ContactModel::kKelvinVoigt || model == ContactModel::kLeeWang2 ||
+                       model == ContactModel::kAdams || model == ContactModel::kElastoGap;
+    power = plain                               ? 1.0
+            : model == ContactModel::kLeeWang1  ? 2.0
+            : model == ContactModel::kJankowski ? 0.5 * (exponent + 1.0)
+                                                : exponent + 1.0;
   }
   const char* of_one = of_stiffness ? "N/m" : "N s/m";
   return power == 1.0 ? std::string(of_one) : fmt::format("{}^{:g}", of_one, power);
@@ -173,9 +177,7 @@ void set_parameter(Scene& scene, const std::string& name, double value) {
 }
 
 void renew_structure(Scene& scene) {
-  if (!has_own_matrices(scene)) return;
-  check_ranges(scene);
-  solve_matrices(scene);
+  if (has_own_matrices(scene)) solve_matrices(scene);
 }
 
 double* find_parameter(Scene& scene, const std::string& path) {
@@ -274,6 +276,16 @@ std::string parameter_unit(const Scene& scene, const std::string& name) {
   std::string path = name.substr(0, name.find(','));
   if (const std::size_t star = path.find(".*"); star != std::string::npos) path.erase(star, 2);
   return unit_in(scene.units, si_unit(scene, path));
+}
+
+std::optional<std::string> as_written(const Scene& scene, const std::string& path, double value) {
+  if (!scene.written) return {};
+  const auto found = scene.written->find(first_unnumbered(path));
+  if (found == scene.written->end()) return {};
+  const auto one = quantity_in("1 " + found->second, si_unit(scene, path));
+  const auto* factor = std::get_if<double>(&one);
+  if (!factor) return {};  // another key has changed what it is measured in
+  return fmt::format("{:.6g} {}", value / *factor, found->second);
 }
 
 }  // namespace graze

@@ -63,4 +63,8 @@ bool leaves_structure(const std::string& path);
 // a scene without units.
 std::string parameter_unit(const Scene& scene, const std::string& path);
 
+// A number of the scene with six digits in the unit in which it is written, "15 mm"; nullopt where it
+// is written without one.
+std::optional<std::string> as_written(const Scene& scene, const std::string& path, double value);
+
 }  // namespace graze

@@ -174,6 +174,16 @@ bool begins_with_number(std::string_view text) {
   return !text.empty() && std::string_view("+-.0123456789").find(text[0]) != std::string_view::npos;
 }
 
+std::string unit_behind_number(const std::string& text) {
+  const char *from = text.data() + (text.starts_with('+') ? 1 : 0), *to = text.data() + text.size();
+  double value = 0.0;
+  std::string_view rest(from, static_cast<std::size_t>(to - from));
+  rest.remove_prefix(static_cast<std::size_t>(std::from_chars(from, to, value).ptr - from));
+  while (rest.starts_with(' ')) rest.remove_prefix(1);
+  while (rest.ends_with(' ')) rest.remove_suffix(1);
+  return std::string(rest);
+}
+
 bool is_unit(std::string_view text) { return std::holds_alternative<Size>(size_of(text)); }
 
 std::variant<double, std::string> quantity_in(const std::string& text, const std::string& unit) {

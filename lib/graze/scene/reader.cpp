@@ -40,6 +40,7 @@ struct Reading {
   Scene& scene;
   Origins& origins;
   std::filesystem::path folder;
+  WrittenUnits written{};
 };
 
 // Choices, and which tables there are, come first, in all tables of the scene, since they decide
@@ -58,8 +59,9 @@ class KeyReader : public SchemaVisitor {
   template <class Number>
   void number(const Key& key, Number& value) {
     constexpr bool is_optional = !std::is_same_v<Number, double>;
-    if (is_due(key, is_optional || !key.is_required))
-      value = table_.number(key.name, number_words(key), unit_of(key));
+    if (!is_due(key, is_optional || !key.is_required)) return;
+    value = table_.number(key.name, number_words(key), unit_of(key));
+    note_unit(key);
   }
   // Whether the key holds the word decides which other keys apply.
   void number_or(const Key& key, double& value, bool& is_word, const char* word) {
@@ -70,10 +72,12 @@ class KeyReader : public SchemaVisitor {
     } else if (is_due(key, !key.is_required)) {
       const std::string what = fmt::format("{} or {}", number_words(key), quoted(word));
       table_.required(key.name, what);
-      if (!is_word)
+      if (!is_word) {
         value = table_.number(key.name, what, unit_of(key));
-      else if (*node->as<std::string>() != word)
+        note_unit(key);
+      } else if (*node->as<std::string>() != word) {
         table_.refuse(key.name, what);
+      }
     }
   }
   // A torque may stand already, from a file.
@@ -214,6 +218,10 @@ class KeyReader : public SchemaVisitor {
   }
 
  private:
+  void note_unit(const Key& key) {
+    if (const auto* text = table_.find(key.name)->as<std::string>())
+      reading_.written[first_unnumbered(table_.path(key.name))] = unit_behind_number(*text);
+  }
   // Throws where a matrix that must be symmetric is not.
   MatrixEntries symmetric_rows(const Key& key, MatrixEntries rows) const {
     for (std::size_t i = 0; key.is_symmetric && i < rows.size(); ++i)
@@ -287,7 +295,10 @@ void prepare(const TableReader& table, const Node&, Forcing& forcing, const Scen
 }
 
 void prepare(const TableReader& table, const Node&, Spring& spring, const Scene&) {
-  if (table.has("radii") || table.has("moduli") || table.has("poisson")) spring.geometry.emplace();
+  if (table.has("radii") || table.has("moduli") || table.has("poisson")) {
+    spring.geometry.emplace();
+    spring.exponent = 1.5;  // Hertz's
+  }
   // The unit of the stiffness depends on it.
   if (const Node* exponent = table.find("exponent")) {
     if (const auto* real = exponent->as<double>()) spring.exponent = *real;
@@ -346,6 +357,8 @@ Scene parse_scene(const std::string& text, const std::string& name,
   Reading reading{scene, *origins, std::filesystem::path(name).parent_path()};
   read_table(reading, root, "", scene, Pass::kValues);
   scene.origins = origins;
+  if (!reading.written.empty())
+    scene.written = std::make_shared<WrittenUnits>(std::move(reading.written));
   if (scene.discrete()) solve_matrices(scene);
   check_scene(scene);
   return scene;

@@ -127,7 +127,10 @@ enum class ContactModel {
   kLeeWang2,
   kHuntCrossley,
   kLankaraniNikravesh,
-  kFlores
+  kFlores,
+  kAdams,
+  kJankowski,
+  kElastoGap
 };
 // The name in a scene file.
 std::string contact_model_name(ContactModel model);
@@ -142,7 +145,7 @@ struct SpringDamping {
   std::optional<double> restitution;  // e, at `speed` where it depends on it
   std::optional<double> speed;        // m/s
   std::optional<double> mass;         // kg
-  std::optional<double> onset;        // m, and
+  std::optional<double> onset;        // m, also of Adams' model, and
   std::optional<double> sharpness;    // Q, of the second model of Lee & Wang
   bool exact = false;  // C gives the restitution itself, not what the model's formula makes of it
 };
@@ -219,6 +222,9 @@ struct Solver {
 // Where each key of the scene was written: "forcing.frequency" -> file:line:column.
 using Origins = std::map<std::string, SourceLocation>;
 
+// The unit of each number that the scene writes with one of its own: "stop.gap" -> "mm".
+using WrittenUnits = std::map<std::string, std::string>;
+
 struct Scene {
   std::string title;
   Units units = Units::kSi;
@@ -233,6 +239,7 @@ struct Scene {
   std::optional<Initial> initial;
   Solver solver;
   std::shared_ptr<const Origins> origins;  // null for a scene made in code
+  std::shared_ptr<const WrittenUnits> written{};  // likewise
 
   const Beam* beam() const { return std::get_if<Beam>(&structure); }
   const TautString* string() const { return std::get_if<TautString>(&structure); }

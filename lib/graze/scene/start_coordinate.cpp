@@ -16,13 +16,10 @@ namespace {
 
 // The displacements, or velocities, of all coordinates that modal ones stand for.
 std::vector<double> coordinates_of(const Scene& scene, const std::vector<double>& modal) {
-  const MatrixModes& found = *scene.discrete()->solved;
-  const Vector free =
-      found.modes.shapes *
+  const Vector all =
+      coordinate_rows(scene) *
       Eigen::Map<const Vector>(modal.data(), static_cast<Eigen::Index>(modal.size()));
-  std::vector<double> all;
-  for (const auto& [label, row] : found.rows) all.push_back(row >= 0 ? free[row] : 0.0);
-  return all;
+  return {all.begin(), all.end()};
 }
 
 }  // namespace

@@ -126,6 +126,12 @@ Ingredients ingredients(ContactModel model) {
     case ContactModel::kLankaraniNikravesh:
     case ContactModel::kFlores:
       return {{{"coefficient"}, {"restitution", "speed"}}};
+    case ContactModel::kAdams:
+      return {{{"coefficient"}}};
+    case ContactModel::kJankowski:
+      return {{{"coefficient"}, {"ratio", "mass"}, {"restitution", "mass"}}};
+    case ContactModel::kElastoGap:
+      return {{{"coefficient"}, {"ratio", "mass"}}, true};
   }
   return {};
 }
@@ -165,17 +171,21 @@ void check_damping(const ValueChecker& checker, const Scene& scene, const Spring
                  fmt::format("the model \"{}\" knows its coefficient from {} only where the "
                              "exponent is 1, it must be given the coefficient",
                              name, joined(given.keys, "and")));
-  const bool sets_in = damping.model == ContactModel::kLeeWang2;
+  const bool sharp = damping.model == ContactModel::kLeeWang2;
+  const bool sets_in = sharp || damping.model == ContactModel::kAdams;
   if (sets_in && !damping.onset)
     checker.fail("damping.onset",
-                 "the key is missing, it must be the depth in m over which the damping "
-                 "of the model \"lee-wang-2\" sets in");
-  if (!sets_in && (damping.onset || damping.sharpness))
-    checker.fail(damping.onset ? "damping.onset" : "damping.sharpness",
+                 fmt::format("the key is missing, it must be the depth in m over which the damping "
+                             "of the model \"{}\" sets in",
+                             name));
+  if ((!sets_in && damping.onset) || (!sharp && damping.sharpness))
+    checker.fail(!sets_in && damping.onset ? "damping.onset" : "damping.sharpness",
                  fmt::format("the model \"{}\" has none, it must be left out", name));
-  if (damping.exact && (!damping.restitution || sets_in))
+  if (damping.exact &&
+      (!damping.restitution || sets_in || damping.model == ContactModel::kJankowski))
     checker.fail("damping.inversion",
-                 "\"exact\" needs a restitution to be met, of any model but \"lee-wang-2\"");
+                 "\"exact\" needs a restitution to be met, of any model but \"lee-wang-2\" and "
+                 "\"jankowski\"");
 }
 
 // The flexibility of the modes left out follows from the whole structure.

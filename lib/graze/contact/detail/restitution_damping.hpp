@@ -9,8 +9,11 @@
 //   Hunt & Crossley         C = (3/2) alpha k,  alpha = (1 - e)/v
 //   Lankarani & Nikravesh   C = 3 k (1 - e^2)/(4 v)
 //   Flores et al.           C = 8 k (1 - e)/(5 e v)
+//   Jankowski (n = 3/2)     C = 2 zeta sqrt(k m),  zeta = (9 sqrt 5/2) (1 - e^2)/(e (e (9 pi - 16)
+//   +
+//                           16)), from an approximate balance of energy
 //
-// The last three are F = k x^n (1 + d v): with A = d v_0 at a meeting speed v_0
+// The three before the last are F = k x^n (1 + d v): with A = d v_0 at a meeting speed v_0
 //
 //   A (1 + e) = ln[(1 + A)/(1 - A e)]
 //
@@ -37,5 +40,7 @@ double power_damping_of(double restitution);
 double hunt_crossley_damping(double restitution);
 double lankarani_nikravesh_damping(double restitution);
 double flores_damping(double restitution);
+// zeta of Jankowski's, likewise.
+double jankowski_damping_ratio(double restitution);
 
 }  // namespace graze

@@ -1,4 +1,4 @@
-// The entries of a matrix as a file lists them, and the symmetric matrix that they make.
+// The entries of a matrix as a file lists them, and the matrix that they make.
 #pragma once
 
 #include <string>
@@ -20,15 +20,14 @@ enum class EntryStorage {
   kEither        // the former where no entry has its mirror image listed
 };
 
-// An entry that is listed twice is refused with its line, or added up (`adds`), as by programs that
-// assemble. Throws InputError where the matrix is not symmetric or has no entries.
-SparseMatrix symmetric_matrix(const std::string& file, int size, std::vector<MatrixEntry> entries,
-                              EntryStorage storage, const std::vector<DofLabel>& labels,
-                              bool adds = false);
+// The matrix of `size` rows, with the file and the labels of `into`, and whether it is symmetric. An
+// entry that is listed twice is refused with its line, or added up (`adds`), as by programs that
+// assemble. Throws InputError where it has no entries.
+void set_entries(LabelledMatrix& into, int size, std::vector<MatrixEntry> entries,
+                 EntryStorage storage, bool adds = false);
 
 // From a dense matrix, likewise.
-SparseMatrix symmetric_matrix(const std::string& file, const Matrix& dense,
-                              const std::vector<DofLabel>& labels);
+void set_entries(LabelledMatrix& into, const Matrix& dense);
 
 // 1, 2, .. n.
 std::vector<DofLabel> numbered_labels(int size);

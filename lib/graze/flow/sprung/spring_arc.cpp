@@ -93,7 +93,7 @@ Vector spring_push_rate(const SprungSystem& equations, const std::vector<double>
     if (!spring.loaded) continue;
     const double rate = spring.whole_row.dot(qdot);
     push += (spring.law.by_depth(depths[k], rate) * rate +
-             spring.law.resistance(depths[k]) * spring.whole_row.dot(acceleration)) *
+             spring.law.by_rate(depths[k], rate) * spring.whole_row.dot(acceleration)) *
             spring.whole_row;
   }
   return push;

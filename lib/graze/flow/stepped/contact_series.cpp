@@ -59,7 +59,8 @@ bool ContactSeries::suits(const SprungSystem& system) {
   if (!(spring.row.dot(spring.acting) > 0.0)) return false;  // its depth is held
   const ContactForce& law = spring.law;
   const double power = 2.0 * law.exponent;
-  return power == std::floor(power) && power <= kMostPower && law.damping != ContactDamping::kOnset;
+  return power == std::floor(power) && power <= kMostPower && law.is_of_one_piece() &&
+         law.damping != ContactDamping::kOnset;
 }
 
 ContactSeries::ContactSeries(const SprungSystem& system, double tolerance)

@@ -79,7 +79,7 @@ struct Source {
       const Stop& rate = stop_rate(i);
       const double x = contacts[i].depth, u = contacts[i].rate;
       double force =
-          law.by_depth(x, u) * (rate.row.dot(q) - rate.gap) + law.resistance(x) * rate.row.dot(v);
+          law.by_depth(x, u) * (rate.row.dot(q) - rate.gap) + law.by_rate(x, u) * rate.row.dot(v);
       if (rate.is_compliant()) force += law.rate_at(x, u, rate.force());
       push -= force * own.springs[i].row + law.at(x, u) * rate.row;
     }
@@ -159,7 +159,7 @@ class Varied {
       force_.noalias() = rows_[i].transpose() * columns.topRows(n);
       force_ *= spring.law.by_depth(at.depth, at.rate);
       force_.noalias() +=
-          spring.law.resistance(at.depth) * (spring.row.transpose() * columns.bottomRows(n));
+          spring.law.by_rate(at.depth, at.rate) * (spring.row.transpose() * columns.bottomRows(n));
       rates.bottomRows(n).noalias() -= spring.acting * force_;
     }
     if (source_) add_source(s, rates);
@@ -271,11 +271,6 @@ Deviations sprung_parameter_deviation(const System& system, const System& tangen
   const Deviations rough = follow(Vector::Constant(1, std::numeric_limits<double>::max()));
   const Vector size = sizes_of(rough, varied.scale()).cwiseMax(sizes_of(column, varied.scale()));
   return follow(size);
-}
-
-double surface_resistance(const ContactForce& law) {
-  // Where contacts end at zero force, velocities jump at the surface only when a contact begins.
-  return law.damping == ContactDamping::kNone ? 0.0 : law.resistance(0.0);
 }
 
 }  // namespace graze

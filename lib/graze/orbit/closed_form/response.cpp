@@ -7,6 +7,7 @@
 #include "graze/base/angle.hpp"
 #include "graze/base/linalg/decompositions.hpp"
 #include "graze/base/linalg/detail/linear_equations.hpp"
+#include "graze/flow/held/detail/generator_parts.hpp"
 #include "graze/system/scale.hpp"
 
 namespace graze {
@@ -111,11 +112,11 @@ std::vector<Eigenvalue> response_multipliers(const System& system) {
   const double period = system.period();
   std::vector<Eigenvalue> list;
   if (system.coupling()) {
-    for (const Eigenvalue& rate : eigenvalues(free_generator(system))) {
-      const Complex value = std::exp(rate.value * period);
-      const double rounding = kRoundings * std::abs(rate.value) * period + rate.error * period;
-      list.push_back({value, rounding * std::abs(value)});
-    }
+    for (const GeneratorPart& part : generator_parts(free_generator(system))->parts)
+      for (const Complex& rate : part.modes.values) {
+        const Complex value = std::exp(rate * period);
+        list.push_back({value, kRoundings * std::abs(rate) * period * std::abs(value)});
+      }
     sort_eigenvalues(list);
     return list;
   }

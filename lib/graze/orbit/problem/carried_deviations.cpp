@@ -145,7 +145,7 @@ void CarriedDeviations::undo(const std::vector<int>& stops, const Vector& parts,
 
 void CarriedDeviations::cross_surface(int i, double sign) {
   const Stop& s = stop(i);
-  const double resistance = sign * surface_resistance(s.force());
+  const double resistance = sign * s.force().jump_at_surface(sign > 0.0);
   if (resistance == 0.0 || !any()) return;
   project_to_fixed_time(i);
   const Vector change = resistance * held(system_, closed_now(), s.row);

@@ -47,7 +47,7 @@ std::vector<PressedSpring> springs_at(const System& system, const State& at) {
     const double force = x > 0.0 ? stop.force().at(x, v) : 0.0;
     if (force > 0.0)
       list.push_back(
-          {i, &stop, x, v, force, stop.force().by_depth(x, v), stop.force().resistance(x)});
+          {i, &stop, x, v, force, stop.force().by_depth(x, v), stop.force().by_rate(x, v)});
   }
   return list;
 }

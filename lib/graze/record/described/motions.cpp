@@ -11,7 +11,10 @@
 namespace graze {
 namespace {
 
-void describe_final(ResultVisitor& v, const System& system, const Simulation& run) {
+void describe_final(ResultVisitor& v, const SimulationRecord& record) {
+  const System& system = record.system;
+  const Simulation& run = record.run;
+  const Matrix& coordinates = record.coordinates;
   v.part({"final", "", "the state at the end"}, [&] {
     const bool turns = system.turns();
     const HubState hub = turns ? hub_state(*system.rotation(), run.final) : HubState{};
@@ -21,6 +24,17 @@ void describe_final(ResultVisitor& v, const System& system, const Simulation& ru
     v.values({"qdot", "kg^1/2 m/s"}, state.qdot);
     v.values({"stuck", "", "closed stops"}, run.stuck, [](int stop) { return stop + 1; });
     v.values({"forces", "N", "of each stop, closed or compressed; 0 where open"}, run.forces);
+    if (const auto own =
+            v.where(coordinates.size() > 0, "of masses, or of matrices in the scene")) {
+      const bool sees_all = coordinates.size() == 0;
+      v.values({"displacement", "m", "of each"},
+               sees_all ? Vector() : Vector(coordinates * state.q));
+      v.values({"velocity", "m/s"}, sees_all ? Vector() : Vector(coordinates * state.qdot));
+    }
+    if (const auto probed = v.where(!record.probes.empty(), "with probes"))
+      v.values({"probes", "", "the value of each"}, record.probes, [&](const ProbeRow& probe) {
+        return probe.row.dot(probe.of_velocity ? run.final.qdot : run.final.q);
+      });
     const auto some = v.where(turns, "with a hub");
     if (!some) return;
     v.field({"angle", "rad"}, hub.angle);
@@ -158,7 +172,7 @@ void describe(ResultVisitor& v, const SimulationRecord& record) {
     v.values({"notes", "", "sentences"}, record.notes);
   // They are not stored: they come during the run.
   v.only(Field::Use::kDocument, [&] { describe(v, std::vector<Event>()); });
-  describe_final(v, record.system, run);
+  describe_final(v, record);
   describe_totals(v, run.totals);
   if (run.energy) describe_energy(v, record.system, *run.energy);
   if (run.amplitudes) {

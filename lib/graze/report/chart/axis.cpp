@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <sstream>
+#include <vector>
 
 namespace graze {
 
@@ -156,6 +157,7 @@ const std::map<std::string, std::string>& quantity_names() {
       {"forcing.amplitude", "forcing amplitude"},
       {"forcing.phase", "forcing phase"},
       {"damping.viscous", "viscous damping η"},
+      {"damping.ratio", "damping ratio ζ"},
       {"damping.ratios", "damping ratio ζ"},
       {"damping.rayleigh.mass", "damping by mass"},
       {"damping.rayleigh.stiffness", "damping by stiffness"},
@@ -185,6 +187,14 @@ const std::map<std::string, std::string>& quantity_names() {
       {"bar.density", "density"},
       {"bar.area", "area of the cross-section"},
       {"bar.youngs_modulus", "Young’s modulus"},
+      {"lumped.masses", "mass"},
+      {"lumped.spring.stiffness", "stiffness of the spring"},
+      {"lumped.spring.damping", "coefficient of the dashpot"},
+      {"lumped.gyroscopic.coefficient", "gyroscopic coefficient"},
+      {"forcing.position", "position of the force"},
+      {"load.force", "constant force"},
+      {"load.position", "position of the constant force"},
+      {"initial.speed", "speed at the start"},
       {"gravity.acceleration", "acceleration of gravity"},
       {"hub.torque.amplitude", "torque of the hub"},
       {"hub.torque.duration", "duration of the torque"},
@@ -213,12 +223,27 @@ bool is_number(const std::string& word) {
 
 }  // namespace
 
-std::string parameter_title(const std::string& path) {
+std::string parameter_title(const std::string& name) {
+  const std::string path = name.substr(0, name.find(','));  // others are tied to it
+  if (path.starts_with("matrices.")) {
+    std::vector<std::string> words;
+    std::istringstream parts(path);
+    for (std::string word; std::getline(parts, word, '.');) words.push_back(word);
+    if (words.size() == 4)
+      return fmt::format("entry ({}, {}) of the matrix of {}", words[2], words[3], words[1]);
+  }
+  if (path.starts_with("initial.displacement."))
+    return "displacement " + path.substr(21) + " at the start";
+  if (path.starts_with("initial.velocity.")) return "velocity " + path.substr(17) + " at the start";
   if (path.starts_with("initial.qdot.")) return "dq_{" + path.substr(13) + "}/dt at the start";
   if (path.starts_with("initial.q.")) return "q_{" + path.substr(10) + "} at the start";
   std::string known, own, which, before;
   std::istringstream words(path);
   for (std::string word; std::getline(words, word, '.'); before = word) {
+    if (word == "*") {
+      which += ", every " + before;
+      continue;
+    }
     if (!is_number(word)) {
       known += (known.empty() ? "" : ".") + word;
       continue;
@@ -226,12 +251,12 @@ std::string parameter_title(const std::string& path) {
     // A number at the end counts modes, elsewhere one of several tables.
     const bool is_last = words.peek() == std::istringstream::traits_type::eof();
     if (is_last)
-      own = (before == "height" ? " " : " of mode ") + word;
+      own = (before == "height" || before == "masses" ? " " : " of mode ") + word;
     else
       which += fmt::format(", {} {}", before, word);
   }
-  const auto name = quantity_names().find(known);
-  return name == quantity_names().end() ? as_markup(path) : name->second + own + which;
+  const auto found = quantity_names().find(known);
+  return found == quantity_names().end() ? as_markup(path) : found->second + own + which;
 }
 
 bool has_hertz_axis(const std::string& parameter, const std::string& unit) {

@@ -11,7 +11,9 @@
 #include "graze/report/text/detail/text_structure.hpp"
 #include "graze/report/text/detail/text_units.hpp"
 #include "graze/report/text/text.hpp"
+#include "graze/scene/detail/table_paths.hpp"
 #include "graze/scene/matrix_structure.hpp"
+#include "graze/scene/parameter.hpp"
 #include "graze/study/cost/step_choice.hpp"
 #include "graze/system/detail/hub_state.hpp"
 
@@ -132,22 +134,39 @@ std::string frequency_text(const Frequency& frequency, const TextUnits& in) {
   return frequency.in_hertz ? hertz + " = " + angular : angular + " = " + hertz;
 }
 
+// "at 12.3, ", or between two nodes; empty for modes that are given.
+std::string node_text(const std::string& node, const std::string& against, const char* end) {
+  if (node.empty()) return "";
+  return (against.empty() ? "at " + node : fmt::format("of {} against {}", node, against)) + end;
+}
+
+// A number in the unit in which the scene writes it, else in `unit`.
+std::string told(const Scene& scene, const std::string& key, double value, const char* unit) {
+  return as_written(scene, key, value).value_or(TextUnits(scene.units).quantity(value, 6, unit));
+}
+
+std::string point_text(const Scene& scene, const StructurePoint& point) {
+  if (!scene.span())
+    return point.node.empty() ? "at a point" : node_text(point.node, point.against, "");
+  return "at x = " + told(scene, "forcing.position", point.position, "m");
+}
+
 std::string forcing_text(const Scene& scene, const Forcing& forcing, const TextUnits& in) {
   const bool base = forcing.kind == ForcingKind::kBase;
   const bool load = forcing.kind == ForcingKind::kDistributed;
   const bool matrices = scene.discrete() != nullptr;
   const bool point = forcing.kind == ForcingKind::kPoint;
   return fmt::format("{}, amplitude {}, {}{}, period {}",
-                     base       ? (matrices ? "moving base" : "moving clamp")
+                     base       ? std::string(matrices ? "moving base" : "moving clamp")
                      : load     ? "distributed load"
-                     : point    ? "force at one point"
+                     : point    ? "force " + point_text(scene, forcing.at)
                      : matrices ? "load"
                                 : "modal",
-                     in.quantity(forcing.amplitude, 6,
-                                 base    ? "m"
-                                 : load  ? "N/m"
-                                 : point ? "N"
-                                         : ""),
+                     told(scene, "forcing.amplitude", forcing.amplitude,
+                          base    ? "m"
+                          : load  ? "N/m"
+                          : point ? "N"
+                                  : ""),
                      in("Hz").empty() ? "frequency " : "", frequency_text(forcing.frequency, in),
                      in.quantity(kTurn / forcing.frequency, 6, "s"));
 }
@@ -155,23 +174,20 @@ std::string forcing_text(const Scene& scene, const Forcing& forcing, const TextU
 std::string gravity_text(const Scene& scene) {
   if (!scene.gravity) return "none";
   return fmt::format("{} along {}",
-                     TextUnits(scene.units).quantity(scene.gravity->acceleration, 6, "m/s^2"),
+                     told(scene, "gravity.acceleration", scene.gravity->acceleration, "m/s^2"),
                      scene.hub ? "-u at angle 0" : "+u");
 }
 
-// "at 12.3, ", or between two nodes; empty for modes that are given.
-std::string node_text(const std::string& node, const std::string& against, const char* end) {
-  if (node.empty()) return "";
-  return (against.empty() ? "at " + node : fmt::format("of {} against {}", node, against)) + end;
-}
-
-std::string stop_text(const Scene& scene, const SceneStop& stop, const Stop& assembled) {
+// `path`: of its table.
+std::string stop_text(const Scene& scene, const std::string& path, const SceneStop& stop,
+                      const Stop& assembled) {
   const TextUnits in(scene.units);
-  const std::string place =
-      fmt::format("{}{}, gap {}, ",
-                  scene.span() ? fmt::format("at x = {}, ", in.quantity(stop.position, 6, "m"))
-                               : node_text(stop.node, stop.against, ", "),
-                  stop.side == Side::kAbove ? "above" : "below", in.quantity(stop.gap, 6, "m"));
+  const std::string gap = told(scene, path + ".gap", stop.gap, "m");
+  const std::string place = fmt::format(
+      "{}{}, gap {}, ",
+      scene.span() ? fmt::format("at x = {}, ", told(scene, path + ".position", stop.position, "m"))
+                   : node_text(stop.node, stop.against, ", "),
+      stop.side == Side::kAbove ? "above" : "below", gap);
   if (stop.spring) {
     const ContactForce& law = assembled.force();
     // Without units the exponent is given separately.
@@ -183,7 +199,8 @@ std::string stop_text(const Scene& scene, const SceneStop& stop, const Stop& ass
                                     : ", met by the modes at " + met + " under the load";
     return place + fmt::format("compliant{}: {}{} {}, parts where its {} is gone{}",
                                stop.spring->is_residual ? " by the modes left out" : "",
-                               quantity_text(law.stiffness, 6, unit),
+                               as_written(scene, path + ".spring.stiffness", law.stiffness)
+                                   .value_or(quantity_text(law.stiffness, 6, unit)),
                                unit.empty() ? " x^" + exponent : "", damping_text(stop, law),
                                law.separation == Separation::kAtZeroForce ? "force" : "depth",
                                shifted);
@@ -219,8 +236,9 @@ std::string simulated_effects(const CheckRecord& record) {
     text += effect("loads", fmt::format("{} constant force{}", scene.loads.size(),
                                         scene.loads.size() == 1 ? "" : "s"));
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
-    text += effect(fmt::format("stop {}", i + 1),
-                   stop_text(scene, scene.stops[i], record.system.stops[i]));
+    text += effect(
+        fmt::format("stop {}", i + 1),
+        stop_text(scene, numbered_path("stop", i + 1), scene.stops[i], record.system.stops[i]));
   if (scene.stops.empty()) text += effect("stop", "none: no contact is looked for");
   for (std::size_t i = 0; i < scene.probes.size(); ++i)
     text += effect(fmt::format("probe {}", i + 1), probe_text(scene, scene.probes[i]));

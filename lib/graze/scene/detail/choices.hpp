@@ -69,7 +69,10 @@ inline constexpr std::array kContactModels{
     Choice{"lee-wang-2", ContactModel::kLeeWang2},
     Choice{"hunt-crossley", ContactModel::kHuntCrossley},
     Choice{"lankarani-nikravesh", ContactModel::kLankaraniNikravesh},
-    Choice{"flores", ContactModel::kFlores}};
+    Choice{"flores", ContactModel::kFlores},
+    Choice{"adams", ContactModel::kAdams},
+    Choice{"jankowski", ContactModel::kJankowski},
+    Choice{"elasto-gap", ContactModel::kElastoGap}};
 inline constexpr std::array kQuantities{Choice{"displacement", ProbeQuantity::kDisplacement},
                                         Choice{"velocity", ProbeQuantity::kVelocity},
                                         Choice{"deflection", ProbeQuantity::kDeflection},

@@ -23,7 +23,11 @@ void describe(auto& v, Of<MatrixStructure> auto& matrices, const Scene& scene) {
     return Key{name, "", own_rule("a file"), meaning}.or_else(fallback);
   };
   const auto file = [&](const char* name, const char* meaning, const char* fallback, auto& value) {
-    v.path(file_of(name, meaning, fallback), value);
+    v.path(file_of(name, meaning, fallback)
+               .where(matrices.mass_entries.empty(),
+                      "it goes with matrices in files, and these stand in the scene; it must be "
+                      "left out"),
+           value);
   };
   const char* based =
       "forcing moves the base and not this load: forcing.kind must be \"load\", or it must be left "

@@ -10,6 +10,9 @@ namespace graze {
 // Whether a text begins like a number, so that it is meant as a quantity.
 bool begins_with_number(std::string_view text);
 
+// The unit of a quantity, "mm" of "1.05 mm"; "" where it has none.
+std::string unit_behind_number(const std::string& text);
+
 // Whether it is a product of units that this table has: "N s/m^2"; "" of a pure number, too.
 bool is_unit(std::string_view text);
 

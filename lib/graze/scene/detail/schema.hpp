@@ -185,7 +185,8 @@ void describe(auto& v, Of<SpringDamping> auto& damping, const Scene&) {
   number({"restitution", "", kUpToOne, "e that is asked for"}, damping.restitution);
   number({"speed", "m/s", kPositive, "v at which it is asked for"}, damping.speed);
   number({"mass", "kg", kPositive, "m that meets the stop"}, damping.mass);
-  number({"onset", "m", kPositive, "depth over which `\"lee-wang-2\"` sets in"}, damping.onset);
+  number({"onset", "m", kPositive, "depth over which `\"lee-wang-2\"` and `\"adams\"` set in"},
+         damping.onset);
   number({"sharpness", "", kNotNegative, "Q of `\"lee-wang-2\"`, 3 where it is not given"},
          damping.sharpness);
   v.choice(
@@ -290,7 +291,6 @@ void describe(auto& v, Of<Initial> auto& initial, const Scene& scene) {
   const bool hub = scene.hub.has_value();
   const char* none = "it is that of a [hub], without one it must be left out";
   const bool own = scene.lumped() || (scene.matrices() && !scene.matrices()->mass_entries.empty());
-  const bool placed = !initial.displacement.empty(), moving = !initial.velocity.empty();
   const auto of_own = [&](const Key& key) {
     return key.or_else("none").where(
         own,
@@ -308,23 +308,24 @@ void describe(auto& v, Of<Initial> auto& initial, const Scene& scene) {
   v.values(of_own(Key{"velocity", "m/s", own_rule("one for each"), "their rates"})
                .as("a list of numbers in m/s, one for each mass or degree of freedom"),
            initial.velocity);
-  v.number(
-      Key{"speed", "m/s", kAny, "of the whole structure along +u, in addition"}.or_else().where(
-          !hub, "a structure on a hub starts with its rate, it must be left out"),
-      initial.speed);
+  v.number(Key{"speed", "m/s", kAny, "of the whole structure along +u, in addition"}
+               .or_else("none")
+               .where(!hub, "a structure on a hub starts with its rate, it must be left out"),
+           initial.speed);
   v.list(Key{"q", "kg^1/2 m", kAny.told("N numbers"),
              "modal coordinates; the point of contact may touch its stop, not lie beyond a rigid "
              "one; a compliant one it compresses there"}
              .or_zeros()
-             .where(!placed && !initial.in_equilibrium,
+             .where(initial.displacement.empty() && !initial.in_equilibrium,
                     "the displacements are given already, it must be left out")
              .or_ignored(),
          initial.q);
-  v.list(Key{"qdot", "kg^1/2 m/s", kAny.told("N numbers"), "their rates"}
-             .or_zeros()
-             .where(!moving, "the velocities are given already, it must be left out")
-             .or_ignored(),
-         initial.qdot);
+  v.list(
+      Key{"qdot", "kg^1/2 m/s", kAny.told("N numbers"), "their rates"}
+          .or_zeros()
+          .where(initial.velocity.empty(), "the velocities are given already, it must be left out")
+          .or_ignored(),
+      initial.qdot);
   v.number(
       Key{"angle", "rad", kAny, "of the `[hub]`; left out without one"}.or_else().where(hub, none),
       initial.angle);

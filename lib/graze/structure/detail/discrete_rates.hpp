@@ -9,8 +9,10 @@
 // AIAA J. 6 (1968) 2426).
 #pragma once
 
+#include <map>
+
+#include "graze/base/vector.hpp"
 #include "graze/scene/scene.hpp"
-#include "graze/structure/modal_model.hpp"
 
 namespace graze {
 

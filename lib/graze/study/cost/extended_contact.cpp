@@ -38,7 +38,7 @@ struct Falling {
   Extended value, rate;
 };
 
-// The law, at depth x and rate v.
+// The law, at depth x and rate v, one of one piece.
 class Law {
  public:
   explicit Law(const ContactForce& law) : law_(law) {}
@@ -54,6 +54,9 @@ class Law {
     const double n = law_.exponent, c = law_.coefficient, k = law_.stiffness;
     switch (law_.damping) {
       case ContactDamping::kNone:
+      case ContactDamping::kStep:
+      case ContactDamping::kApproach:
+      case ContactDamping::kCapped:
         break;
       case ContactDamping::kConstant:
       case ContactDamping::kOnset:
@@ -73,6 +76,9 @@ class Law {
   Extended shape(const Extended& x) const {
     switch (law_.damping) {
       case ContactDamping::kNone:
+      case ContactDamping::kStep:
+      case ContactDamping::kApproach:
+      case ContactDamping::kCapped:
         return 0;
       case ContactDamping::kConstant:
         return 1;

@@ -20,8 +20,8 @@ constexpr int kMostRungs = 14;
 
 ReferenceRun reference_of(const System& system, const State& start,
                           const ReferenceOptions& options) {
-  return system.turns() || system.coupling() ? stepped_reference(system, start, options)
-                                             : reference_run(system, start, options);
+  return is_followed_by_steps(system) ? stepped_reference(system, start, options)
+                                      : reference_run(system, start, options);
 }
 
 class CostTable {

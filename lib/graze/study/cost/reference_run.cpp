@@ -187,13 +187,21 @@ class Reference {
 
 }  // namespace
 
+bool is_followed_by_steps(const System& system) {
+  return system.turns() || system.coupling() ||
+         std::any_of(system.stops.begin(), system.stops.end(), [](const Stop& stop) {
+           return stop.is_compliant() && !stop.force().is_of_one_piece();
+         });
+}
+
 ReferenceRun reference_run(const System& system, const State& start,
                            const ReferenceOptions& options) {
-  if (system.turns() || system.coupling()) {
+  if (is_followed_by_steps(system)) {
     ReferenceRun run;
-    run.message = fmt::format(
-        "{} is followed in double precision only",
-        system.turns() ? "a structure on a hub" : "a structure whose damping couples modes");
+    run.message = fmt::format("{} is followed in double precision only",
+                              system.turns()      ? "a structure on a hub"
+                              : system.coupling() ? "a structure whose damping couples modes"
+                                                  : "a stop whose law changes during a contact");
     return run;
   }
   return Reference(system, start, options).finish();

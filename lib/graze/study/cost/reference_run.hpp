@@ -43,4 +43,8 @@ struct ReferenceOptions {
 ReferenceRun reference_run(const System& system, const State& start,
                            const ReferenceOptions& options);
 
+// Whether there is no such run: of a structure on a hub, of modes that damping couples, of a stop
+// whose law changes during a contact.
+bool is_followed_by_steps(const System& system);
+
 }  // namespace graze

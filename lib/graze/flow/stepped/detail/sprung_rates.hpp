@@ -302,7 +302,7 @@ inline void Sprung::operator()(const State& z, State& slope, double s) {
     const double force = spring.law.at(at.depth, at.rate) / unit_;
     acceleration -= force * spring.acting;
     const double speed = at.rate / unit_;
-    slope[place(kSprings + i)] = spring.law.resistance(at.depth) * speed * speed;
+    slope[place(kSprings + i)] = spring.law.resisting(at.depth, at.rate) / unit_ * speed;
   }
   if (system_.turning) add_inertia(acceleration);
 }
@@ -319,7 +319,8 @@ inline double Sprung::force_rate(std::size_t spring, double s, const State& z) {
   slope_.resize(z.size());
   (*this)(z, slope_, s);
   const Compression at = compression(spring, z), rate = compression_rate(spring, slope_);
-  return own.law.by_depth(at.depth, at.rate) * at.rate + own.law.resistance(at.depth) * rate.rate;
+  return own.law.by_depth(at.depth, at.rate) * at.rate +
+         own.law.by_rate(at.depth, at.rate) * rate.rate;
 }
 
 inline double Sprung::observed(const Watch& watch, double s, const State& z) {

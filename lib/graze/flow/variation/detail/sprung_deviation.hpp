@@ -40,8 +40,4 @@ std::optional<Deviations> linear_spring_parameter_deviation(const System& system
                                                             const State& start, double theta,
                                                             double s, const Deviations& column);
 
-// N s/m: this times b.dq is taken from the deviation of the velocities along the row of a stop when
-// a contact begins at its surface, and added when it ends there.
-double surface_resistance(const ContactForce& law);
-
 }  // namespace graze

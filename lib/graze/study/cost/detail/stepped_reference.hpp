@@ -10,7 +10,7 @@ namespace graze {
 // more than this, s; smaller errors of other flows are not known.
 inline constexpr double kVouchedTime = 1e-11;
 
-// For a structure on a hub, or one whose damping couples its modes.
+// For what is followed by steps (is_followed_by_steps).
 ReferenceRun stepped_reference(const System& system, const State& start,
                                const ReferenceOptions& options);
 
