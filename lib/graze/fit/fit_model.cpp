@@ -143,7 +143,8 @@ const System* FitModel::system_at(const Vector& values, State& start) {
     why_ = "the scene does not allow these values";
     return nullptr;
   }
-  const std::optional<State> clear = clear_start(scene_, *system);
+  // What a start in the structure's own coordinates is in the modes depends on these.
+  const std::optional<State> clear = clear_start(scene_at(values), *system);
   if (!clear) {
     why_ = "the motion would start beyond a stop";
     return nullptr;

@@ -207,7 +207,8 @@ class OrbitTracer {
                    (options_.impacts == 1 && finder.from_closed_form && has_closed_forms(*system))))
       finder.from_random = false;
     std::optional<State> start;
-    if (first || options_.impacts > 1 || followed_) start = clear_start(family_.scene(), *system);
+    if (first || options_.impacts > 1 || followed_)
+      start = clear_start(*family_.scene_at(value), *system);
     finder.closure_speed = closure_speed_;
     return find_orbits(*system, start, finder);
   }
@@ -246,7 +247,7 @@ class OrbitTracer {
   void trace_sticking(double value) {
     const std::optional<System> system = family_.at(value);
     if (!system) return;
-    if (const std::optional<State> start = clear_start(family_.scene(), *system))
+    if (const std::optional<State> start = clear_start(*family_.scene_at(value), *system))
       trace_settled(value, *start, Wanted::kSticking);
   }
 
