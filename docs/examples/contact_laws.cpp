@@ -197,7 +197,9 @@ const Curve kCurves[] = {{"lankarani-nikravesh", "Hertz", "Lankarani and Nikrave
 
 // Over the restitution asked for, that of the contact.
 ChartSeries series_of(const Curve& curve, std::size_t i) {
-  ChartSeries series{.title = curve.title, .look = curve_look(i)};
+  ChartSeries series;
+  series.title = curve.title;
+  series.look = curve_look(i);
   for (int n = 1; n <= 50; ++n) {
     const double asked = 0.02 * n;
     const Law law{"", curve.spring, "force", "", asking(curve.model, asked)};
