@@ -80,10 +80,10 @@ TEST_F(Compliant, AContactCutByTheEndTellsItsForce) {
     EXPECT_NEAR(json::parse(run.out)["final"]["forces"][0].get<double>(),
                 1e6 * std::sin(w * std::stod(time)) / w, 1e-7);
   }
-  // A place of a modal structure is no distance along a beam.
+  // A mass is at no distance along a beam.
   const Finished curve = run_graze(
       "compare --sensitivity --json --parameter stop.gap --from 0 --to 1e-3 --points 2 "
-      "--duration 0.01 --set 'probe.shape=[0.1]' " +
+      "--duration 0.01 --set probe.mass=1 " +
       scene);
   ASSERT_EQ(curve.code, 0) << curve.err;
   EXPECT_TRUE(json::parse(curve.out)["probes"][0]["position"].is_null());

@@ -147,7 +147,7 @@ TEST(ResponseCurve, SaysWhatPlacesThereAre) {
   EXPECT_NE(none.err.find("--at: 'probe.1' is not allowed; give one of stop.1"), std::string::npos)
       << none.err;
   const Finished rate = run_graze("continue " + kResponseRange +
-                                  "--show peak-velocity --at probe.2 --set probe.2.shape=[1.0] "
+                                  "--show peak-velocity --at probe.2 --set probe.2.mass=1 "
                                   "--set 'probe.2.quantity=\"velocity\"'");
   EXPECT_EQ(rate.code, 2);
   EXPECT_NE(rate.err.find("--at: 'probe.2' is not allowed"), std::string::npos) << rate.err;

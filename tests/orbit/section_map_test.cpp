@@ -150,13 +150,15 @@ TEST_P(SectionMapOfConstantDamping, VolumesShrinkByTheDampingAlone) {
 
 INSTANTIATE_TEST_SUITE_P(
     Laws, SectionMapOf,
-    ::testing::Values(law_of(1.0, ContactDamping::kNone, 0.0),
-                      law_of(1.0, ContactDamping::kConstant, 10.0),
-                      law_of(1.0, ContactDamping::kConstant, 10.0, Separation::kAtZeroDepth),
-                      law_of(1.5, ContactDamping::kNone, 0.0),
-                      law_of(1.5, ContactDamping::kPower, 2e4),
-                      law_of(1.5, ContactDamping::kOnset, 5.0, Separation::kAtZeroDepth),
-                      law_of(2.2, ContactDamping::kPower, 1e4)));
+    ::testing::Values(
+        law_of(1.0, ContactDamping::kNone, 0.0), law_of(1.0, ContactDamping::kConstant, 10.0),
+        law_of(1.0, ContactDamping::kConstant, 10.0, Separation::kAtZeroDepth),
+        law_of(1.5, ContactDamping::kNone, 0.0), law_of(1.5, ContactDamping::kPower, 2e4),
+        law_of(1.5, ContactDamping::kOnset, 5.0, Separation::kAtZeroDepth),
+        law_of(2.2, ContactDamping::kPower, 1e4),
+        law_of(1.0, ContactDamping::kStep, 10.0, Separation::kAtZeroDepth),
+        law_of(1.5, ContactDamping::kApproach, 50.0), law_of(1.0, ContactDamping::kApproach, 10.0),
+        law_of(1.0, ContactDamping::kCapped, 10.0)));
 
 INSTANTIATE_TEST_SUITE_P(Laws, SectionMapOfConstantDamping,
                          ::testing::Values(law_of(1.0, ContactDamping::kNone, 0.0),

@@ -31,8 +31,16 @@ class ContactMotion {
   double depth(int i, const Vector& y) const { return stop(i).row.dot(y.head(n())) - stop(i).gap; }
   double speed(int i, const Vector& y) const { return stop(i).row.dot(y.tail(n())); }
 
-  static double damping_over_power(const ContactForce& law, double x) {
+  static double damping_over_power(const ContactForce& law, double x, double v) {
     switch (law.damping) {
+      case ContactDamping::kStep: {
+        const double s = std::min(x / law.onset_depth, 1.0);
+        return law.coefficient * s * s * (3.0 - 2.0 * s);
+      }
+      case ContactDamping::kApproach:
+        return v > 0.0 ? law.coefficient * std::pow(x, 0.5 * (law.exponent - 1.0)) : 0.0;
+      case ContactDamping::kCapped:
+        return std::min(law.coefficient, law.stiffness * std::pow(x, law.exponent) / std::fabs(v));
       case ContactDamping::kConstant:
         return law.coefficient;
       case ContactDamping::kOnset:
@@ -50,7 +58,7 @@ class ContactMotion {
   double grip(int i, const Vector& y) const {
     const ContactForce& law = stop(i).force();
     const double x = std::fmax(depth(i, y), 0.0), v = speed(i, y);
-    const double damped = damping_over_power(law, x) * v;
+    const double damped = damping_over_power(law, x, v) * v;
     if (law.damping == ContactDamping::kDepth)
       return law.stiffness * std::pow(x, law.exponent - 1.0) + damped;
     if (law.damping == ContactDamping::kPower) return law.stiffness + damped;

@@ -194,8 +194,9 @@ Vector uniform_motion(const Scene& scene) {
 State given_start(const Scene& scene) {
   const Initial& initial = *scene.initial;
   const auto modal = [&](const std::vector<double>& own, const std::vector<double>& coordinates) {
-    return coordinates.empty() ? as_vector(own)
-                               : Vector(scene.discrete()->solved->momenta * as_vector(coordinates));
+    if (coordinates.empty()) return as_vector(own);
+    if (scene.span()) return modal_coordinates(scene, initial.positions, coordinates);
+    return Vector(scene.discrete()->solved->momenta * as_vector(coordinates));
   };
   State state{modal(initial.q, initial.displacement), modal(initial.qdot, initial.velocity)};
   if (initial.speed) state.qdot += *initial.speed * uniform_motion(scene);

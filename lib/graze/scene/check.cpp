@@ -151,20 +151,39 @@ void check_loads(const Scene& scene) {
     check_load_point(scene, scene.loads[k], numbered_path("load", k + 1));
 }
 
-// As many numbers as the structure has coordinates.
+void check_positions(const Scene& scene) {
+  double before = -1.0;
+  for (const double x : scene.initial->positions) {
+    if (!(x > before && x >= 0.0 && x <= scene.span()->length))
+      throw scene_error(scene, "initial.positions",
+                        fmt::format("{} is not allowed, positions must rise, from 0 to the {}'s "
+                                    "length {}",
+                                    x, scene.structure_name(), scene.span()->length));
+    before = x;
+  }
+}
+
+// As many numbers as the structure has coordinates, or the scene positions.
 void check_start(const Scene& scene) {
   if (!scene.initial) return;
   const Initial& initial = *scene.initial;
   for (const auto& [key, list] : {std::pair("initial.displacement", &initial.displacement),
                                   std::pair("initial.velocity", &initial.velocity)}) {
-    const auto count =
-        static_cast<std::size_t>(scene.discrete() ? scene.discrete()->solved->momenta.cols() : 0);
+    const std::size_t count =
+        scene.discrete() ? static_cast<std::size_t>(scene.discrete()->solved->momenta.cols())
+                         : initial.positions.size();
+    if (!list->empty() && !scene.discrete() && count == 0)
+      throw scene_error(scene, "initial.positions",
+                        "the key is missing, it must be where the structure starts so");
     if (!list->empty() && list->size() != count)
-      throw scene_error(
-          scene, key,
-          fmt::format("the list has {} entries, it must have {}, one for each {}", list->size(),
-                      count, scene.lumped() ? "mass" : "degree of freedom"));
+      throw scene_error(scene, key,
+                        fmt::format("the list has {} entries, it must have {}, one for each {}",
+                                    list->size(), count,
+                                    scene.lumped()     ? "mass"
+                                    : scene.matrices() ? "degree of freedom"
+                                                       : "of the positions"));
   }
+  check_positions(scene);
   if (initial.speed && scene.modal() && scene.modal()->inertia.empty())
     throw scene_error(scene, "initial.speed",
                       "a speed of the whole structure needs its modal.inertia, or the direction of "

@@ -348,6 +348,20 @@ void read_table(Reading& reading, const Node& node, const std::string& path, Tab
 
 }  // namespace
 
+namespace {
+
+// A structure without a stop or a probe is looked at where forces act on it.
+void probe_loads(Scene& scene) {
+  if (!scene.stops.empty() || !scene.probes.empty()) return;
+  std::vector<StructurePoint> loaded(scene.loads.begin(), scene.loads.end());
+  if (scene.forcing && scene.forcing->kind == ForcingKind::kPoint)
+    loaded.insert(loaded.begin(), scene.forcing->at);
+  for (const StructurePoint& at : loaded)
+    scene.probes.push_back({at.position, at.shape, at.node, at.against});
+}
+
+}  // namespace
+
 Scene parse_scene(const std::string& text, const std::string& name,
                   const std::vector<std::string>& settings) {
   Node root = read_document(text, name);
@@ -359,6 +373,7 @@ Scene parse_scene(const std::string& text, const std::string& name,
   scene.origins = origins;
   if (!reading.written.empty())
     scene.written = std::make_shared<WrittenUnits>(std::move(reading.written));
+  probe_loads(scene);
   if (scene.discrete()) solve_matrices(scene);
   check_scene(scene);
   return scene;

@@ -206,8 +206,10 @@ struct Initial {
   std::vector<double> qdot;  // kg^1/2 m/s, one per mode
   double angle = 0.0;        // rad, of the hub
   double rate = 0.0;         // rad/s
-  // In place of q and qdot, one for each mass or degree of freedom (lumped, matrices in the scene).
+  // In place of q and qdot, one for each mass or degree of freedom (lumped, matrices in the scene),
+  // or for each of the positions of a beam, string or bar, with straight lines between them.
   std::vector<double> displacement{}, velocity{};  // m, m/s
+  std::vector<double> positions{};                 // m, rising
   std::optional<double> speed{};                   // m/s, of all of the structure, in addition
   bool in_equilibrium = false;  // in place of displacements: at rest under its constant loads
 };

@@ -47,6 +47,11 @@ ModalModel modal_tangent(const Scene& scene, const ModalModel& model, const Scen
 std::vector<Vector> shapes_at(const Scene& scene, const std::vector<double>& places);
 Vector strain_row(const Scene& scene, double x);
 
+// The modal coordinates of a beam, a string or a bar in a shape through points: `values` at rising
+// `places`, straight lines between them, even beyond.
+Vector modal_coordinates(const Scene& scene, const std::vector<double>& places,
+                         const std::vector<double>& values);
+
 // The mass of a beam, a string or a bar with its point masses, kg.
 double total_mass(const Scene& scene);
 

@@ -78,8 +78,7 @@ struct Source {
       const ContactForce& law = own.springs[i].law;
       const Stop& rate = stop_rate(i);
       const double x = contacts[i].depth, u = contacts[i].rate;
-      double force =
-          law.by_depth(x, u) * (rate.row.dot(q) - rate.gap) + law.by_rate(x, u) * rate.row.dot(v);
+      double force = law.by_depth(x, u) * depth_rate(i, q) + law.by_rate(x, u) * rate.row.dot(v);
       if (rate.is_compliant()) force += law.rate_at(x, u, rate.force());
       push -= force * own.springs[i].row + law.at(x, u) * rate.row;
     }
@@ -88,6 +87,10 @@ struct Source {
       acceleration += push;
     else
       acceleration += held * push + held_rate * unheld(q, v, cosine, own, contacts);
+  }
+  // Of the depth of a spring at the displacements q.
+  double depth_rate(std::size_t spring, const Vector& q) const {
+    return stop_rate(spring).row.dot(q) - stop_rate(spring).gap;
   }
 
  private:
@@ -108,6 +111,11 @@ struct Source {
 };
 
 // The motion together with its deviations: z, then (w dq, dq') of each, per its own size.
+//
+// A damping that grows as x^p, p < 1, has no slope at the surface. Deviations of a contact that
+// begins there are therefore carried from its own beginning on, d = e + z' k with k by how much
+// later that is, so that the depth of e begins at zero: e obeys the equations of d, and what the
+// force changes by itself over the time k.
 class Varied {
  public:
   using State = std::vector<double>;
@@ -137,6 +145,9 @@ class Varied {
     columns.topRows(n) = motion_.scale().asDiagonal() * deviations.q;
     columns.bottomRows(n) = deviations.qdot;
     columns.array().rowwise() /= sizes_.transpose().array();
+    later_ = Eigen::RowVectorXd();
+    for (std::size_t i = 0; i < depths.size(); ++i)
+      if (is_steep(system_.springs[i], depths[i], start.qdot)) begin_at_surface(i, columns);
     return whole;
   }
 
@@ -163,11 +174,19 @@ class Varied {
       rates.bottomRows(n).noalias() -= spring.acting * force_;
     }
     if (source_) add_source(s, rates);
+    if (later_.size() != 0)
+      rates.bottomRows(n) +=
+          system_.frequency * std::sin(theta_ + system_.frequency * s) * system_.force * later_;
   }
 
-  Deviations end(const State& whole) const {
+  Deviations end(State whole, double s) {
     const Eigen::Index n = start_.size(), m = sizes_.size();
-    const Eigen::Map<const Matrix> columns(whole.data() + z_.size(), 2 * n, m);
+    Eigen::Map<Matrix> columns(whole.data() + z_.size(), 2 * n, m);
+    if (later_.size() != 0) {
+      std::copy_n(whole.begin(), z_.size(), z_.begin());
+      motion_(z_, slope_, s);
+      columns += pace() * later_;
+    }
     return {motion_.scale().cwiseInverse().asDiagonal() * columns.topRows(n) * sizes_.asDiagonal(),
             columns.bottomRows(n) * sizes_.asDiagonal(), Eigen::RowVectorXd::Zero(m)};
   }
@@ -176,6 +195,27 @@ class Varied {
   const Vector& scale() const { return motion_.scale(); }
 
  private:
+  static bool is_steep(const SprungSystem::Spring& spring, double depth, const Vector& velocity) {
+    return spring.loaded && spring.law.damping == ContactDamping::kApproach &&
+           spring.law.exponent > 1.0 && depth == 0.0 && spring.row.dot(velocity) > 0.0;
+  }
+  // (w q', q'') of the motion, at the slopes computed last.
+  Vector pace() const {
+    const Eigen::Index n = start_.size();
+    const Eigen::Map<const Vector> velocity(z_.data() + n, n), acceleration(slope_.data() + n, n);
+    Vector pace(2 * n);
+    pace << motion_.unit() * motion_.scale().cwiseProduct(velocity), motion_.unit() * acceleration;
+    return pace;
+  }
+  void begin_at_surface(std::size_t spring, Eigen::Map<Matrix>& columns) {
+    const Eigen::Index n = start_.size();
+    motion_(z_, slope_, 0.0);
+    const Vector rate = pace();
+    later_ = rows_[spring].transpose() * columns.topRows(n);
+    if (source_) later_[0] += source_->depth_rate(spring, start_) / sizes_[0];
+    later_ /= rows_[spring].dot(rate.head(n));
+    columns -= rate * later_;
+  }
   // `fresh`: overwrites instead of adding. A matrix may be the column of its diagonal.
   template <class Columns, class Rates>
   static void subtract(const Matrix& matrix, const Columns& columns, Rates&& rates, bool fresh) {
@@ -201,6 +241,7 @@ class Varied {
   const Source* source_;
   Sprung motion_;
   Vector start_, sizes_;
+  Eigen::RowVectorXd later_;  // k of each column, s per its size; empty: none is shifted
   double theta_ = 0.0;
   State z_, slope_;
   Matrix stiffness_;          // K/w
@@ -246,7 +287,7 @@ Deviations sprung_deviations(const System& system, const SpringArc& phase, const
   varied.begin(start, theta, phase.depths, none, Vector(0));
   const Vector sizes = sizes_of(deviations, varied.scale());
   Varied::State whole = varied.begin(start, theta, phase.depths, deviations, sizes);
-  return varied.end(integrate(varied, std::move(whole), s));
+  return varied.end(integrate(varied, std::move(whole), s), s);
 }
 
 Deviations sprung_parameter_deviation(const System& system, const System& tangent,
@@ -263,8 +304,8 @@ Deviations sprung_parameter_deviation(const System& system, const System& tangen
   const std::optional<SprungSystem> held = constrained_system(system, phase);
   Varied varied(held ? *held : phase.equations, &source);
   const auto follow = [&](const Vector& sizes) {
-    return varied.end(
-        integrate(varied, varied.begin(start, theta, phase.depths, column, sizes), s));
+    return varied.end(integrate(varied, varied.begin(start, theta, phase.depths, column, sizes), s),
+                      s);
   };
   // The size of a deviation is known only once it has been followed: first with the steps that the
   // motion alone needs.

@@ -291,22 +291,32 @@ void describe(auto& v, Of<Initial> auto& initial, const Scene& scene) {
   const bool hub = scene.hub.has_value();
   const char* none = "it is that of a [hub], without one it must be left out";
   const bool own = scene.lumped() || (scene.matrices() && !scene.matrices()->mass_entries.empty());
+  const bool spans = scene.span() && !hub;
   const auto of_own = [&](const Key& key) {
     return key.or_else("none").where(
-        own,
-        "the coordinates are those of [lumped] or of matrices in the scene, it must be left "
-        "out");
+        own || spans,
+        "the coordinates are those of [lumped], of matrices in the scene or of a span that does "
+        "not turn, it must be left out");
   };
   v.choice(Key{"at", "", kAny, "equilibrium: displacements are those at rest under constant loads"}
                .or_else()
                .where(!hub, "a structure on a hub has none, it must be left out"),
            initial.in_equilibrium, kStarts);
+  v.values(Key{"positions", "m", own_rule("rising, 0..L"),
+               "of a beam, string or bar: where it has the displacements and velocities that "
+               "follow, linear between these places and even beyond them"}
+               .or_else("none")
+               .where(spans,
+                      "the places are those of a beam, string or bar that does not turn, it "
+                      "must be left out")
+               .as("a list of numbers in m"),
+           initial.positions);
   v.values(of_own(Key{"displacement", "m", own_rule("one for each"),
-                      "of the masses or degrees of freedom"})
-               .as("a list of numbers in m, one for each mass or degree of freedom"),
+                      "of the masses or degrees of freedom, or at the positions"})
+               .as("a list of numbers in m, one for each mass, degree of freedom or position"),
            initial.displacement);
   v.values(of_own(Key{"velocity", "m/s", own_rule("one for each"), "their rates"})
-               .as("a list of numbers in m/s, one for each mass or degree of freedom"),
+               .as("a list of numbers in m/s, one for each mass, degree of freedom or position"),
            initial.velocity);
   v.number(Key{"speed", "m/s", kAny, "of the whole structure along +u, in addition"}
                .or_else("none")

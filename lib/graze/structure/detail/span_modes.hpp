@@ -83,6 +83,7 @@ class ElementModes {
   Vector strains(double x, double factor) const {
     return factor * modes_->row(x, modes_->mesh.order());
   }
+  Vector slopes(double x) const { return modes_->row(x, 1); }
   Vector inertia() const { return loads_.inertia; }
   Vector inertia_rate() const { return loads_.inertia_rate; }
   Vector load() const { return loads_.length; }
