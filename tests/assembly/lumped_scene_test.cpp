@@ -4,7 +4,9 @@
 
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
+#include "graze/assembly/system_warnings.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/motion/simulation.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
 #include "graze/scene/start_coordinate.hpp"
@@ -260,6 +262,42 @@ q = [0.1]
   EXPECT_EQ(system.delta(), 0.01 * system.omega);
   EXPECT_EQ(initial_state(scene, system).q.size(), 3);
   EXPECT_EQ(parameter_value(scene, "damping.ratio"), 0.01);
+}
+
+TEST(TiedParameters, NameANumberOnce) {
+  const Scene scene = pair();
+  EXPECT_EQ(with_parameter(scene, "stop.*.gap", 0.1).stops[1].gap, 0.1);
+  for (const char* name :
+       {"stop.1.gap,stop.1.gap=2*stop.1.gap", "stop.1.gap,stop.*.gap=2*stop.1.gap",
+        "stop.gap,stop.1.gap", "forcing.frequency,forcing.frequency_hz=2*forcing.frequency"})
+    EXPECT_THROW(with_parameter(scene, name, 0.1), InputError) << name;
+  EXPECT_THROW(with_parameter(scene, "stop.1.gap,", 0.1), InputError);
+}
+
+TEST(LumpedReader, AnEntryBesideTheDiagonalIsSetOnBothSides) {
+  const std::string text =
+      "[matrices]\nmass = [[1.0, 0.0], [0.0, 2.0]]\nstiffness = [[9.0, -2.0], [-2.0, 5.0]]\n";
+  for (const char* setting : {"matrices.stiffness.1.2=-3.0", "matrices.stiffness.2.1=-3.0"}) {
+    const Scene scene = parse_scene(text, "scene", {setting});
+    EXPECT_EQ(scene.modal()->frequencies,
+              with_parameter(parse_scene(text, "scene"), "matrices.stiffness.1.2", -3.0)
+                  .modal()
+                  ->frequencies);
+  }
+}
+
+// A body that only dashpots hold: no mode is missing, and what is pushed elsewhere comes to move it.
+TEST(LumpedReader, ABodyThatOnlyADashpotHoldsIsSeen) {
+  const Scene scene = parse_scene(
+      "[lumped]\nmasses = [1.0, 3.0, 0.5]\n"
+      "[[lumped.spring]]\nbetween = [1, 2]\nstiffness = 100\n"
+      "[[lumped.spring]]\nbetween = [2, 3]\ndamping = 7\n"
+      "[forcing]\nmass = 2\namplitude = 50\nfrequency = 9\n"
+      "[[stop]]\nmass = 3\ngap = 0.1\nrestitution = 0.6\n",
+      "scene");
+  const System system = assemble(scene);
+  EXPECT_TRUE(system_warnings(scene, system).empty());
+  EXPECT_GT(default_closure_speed(system, initial_state(scene, system), 1e-10), 0.0);
 }
 
 }  // namespace

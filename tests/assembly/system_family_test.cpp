@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "graze/scene/parameter.hpp"
+#include "graze/scene/reader.hpp"
 #include "support/differences.hpp"
 #include "support/reference.hpp"
 
@@ -45,6 +46,10 @@ std::vector<std::string> expect_tangents(const Scene& scene) {
     const Vector difference =
         support::central_difference([&](double p) { return numbers(*family.at(p)); }, value, h);
     const Vector here = numbers(*family.at(value));
+    // What is assembled once for a whole branch does not depend on the parameter.
+    SystemCursor cursor(family);
+    EXPECT_TRUE(cursor.at(value)) << name;
+    EXPECT_EQ(numbers(*cursor.at(value + h)), numbers(*family.at(value + h))) << name;
     for (Eigen::Index i = 0; i < tangent.size(); ++i) {
       // Rounding of the differences: eps of the number over the step.
       const double rounding = 1e-14 * std::abs(here[i]) / h;
@@ -89,6 +94,26 @@ TEST(SystemFamily, TangentsOfGivenModes) {
   EXPECT_GE(expect_tangents(support::reference_scene("orbits/three_modes_2_1")).size(), 14u);
   EXPECT_GE(expect_tangents(support::reference_scene("F")).size(), 10u);
   EXPECT_GE(expect_tangents(support::reference_scene("G")).size(), 10u);
+}
+
+TEST(SystemFamily, TangentsOfForcesAtPoints) {
+  EXPECT_GE(expect_tangents(
+                parse_scene("[modal]\nfrequencies = [10.0, 25.0]\ndamping_ratios = [0.05, 0.02]\n"
+                            "[forcing]\nshape = [1.0, 0.4]\namplitude = 20.0\nfrequency = 14.0\n"
+                            "[[load]]\nshape = [0.3, 0.2]\nforce = 2.0\n"
+                            "[[stop]]\nshape = [1.0, -0.5]\ngap = 0.02\nrestitution = 0.8\n",
+                            "modes"))
+                .size(),
+            15u);
+  EXPECT_GE(expect_tangents(
+                parse_scene("[bar]\nlength = 2.0\nyoungs_modulus = 2e11\ndensity = 7800.0\n"
+                            "area = 1e-4\nmodes = 3\n[damping]\nratio = 0.01\n"
+                            "[forcing]\nposition = 1.1\namplitude = 20.0\nfrequency = 1400.0\n"
+                            "[[load]]\nposition = 1.7\nforce = 2.0\n"
+                            "[[stop]]\nposition = 1.9\ngap = 0.02\nrestitution = 0.8\n",
+                            "bar"))
+                .size(),
+            12u);
 }
 
 TEST(SystemFamily, HasNothingOutsideTheParametersRange) {

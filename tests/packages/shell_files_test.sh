@@ -71,7 +71,7 @@ same "bash: parameters" "$(in_bash continue "$scene" --parameter "")" "$names"
 same "bash: parameters, --parameter=" "$(in_bash continue "$scene" --parameter = "")" "$names"
 same "bash: settings" "$(in_bash check "$scene" -s stop.g)" "stop.gap="
 same "bash: words" "$(in_bash simulate "$scene" --record "")" "$(printf 'events\nnone\nsamples')"
-same "bash: kinds" "$(in_bash init "")" "$(printf 'beam\nhub\nmatrices\noscillator')"
+same "bash: kinds" "$(in_bash init "")" "$(printf 'beam\nhub\nlumped\nmatrices\noscillator')"
 same "bash: scenes" "$(in_bash check "$scenes/02")" "$scene"
 
 if command -v fish > /dev/null; then

@@ -20,6 +20,7 @@ void add_flexibility_warnings(const Scene& scene, const ModalModel& model,
                               std::vector<std::string>& warnings) {
   const MatrixModes& matrices = *scene.discrete()->solved;
   const bool are_all = scene.modes() == matrices.free_count() - matrices.modes.massless;
+  if (are_all && matrices.modes.massless == 0) return;  // nothing is left out
   const std::vector<StopFlexibility> list = stop_flexibilities(scene, model);
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (scene.stops[i].spring && scene.stops[i].spring->is_residual) continue;

@@ -80,13 +80,8 @@ void check_ends(const Scene& scene, const LumpedStructure& lumped, const std::st
   for (std::size_t k = 0; k < 2; ++k) {
     const std::optional<int> end = mass_named(lumped, between[k]);
     if (end && (*end >= 0 || may_be_ground)) continue;
-    const std::string meant = closest_name(between[k], lumped.names);
-    throw scene_error(
-        scene, fmt::format("{}.{}", path, k + 1),
-        fmt::format("\"{}\" is not allowed, it must be {}a mass from 1 to {}{}{}", between[k],
-                    may_be_ground ? "0 (the ground) or " : "", lumped.masses.size(),
-                    lumped.names.empty() ? "" : " or the name of one",
-                    meant.empty() ? "" : fmt::format("; did you mean {}?", meant)));
+    throw scene_error(scene, fmt::format("{}.{}", path, k + 1),
+                      mass_refusal(lumped, between[k], may_be_ground));
   }
   if (*mass_named(lumped, between[0]) == *mass_named(lumped, between[1]))
     throw scene_error(scene, path, "both ends are the same, they must be two");
@@ -149,6 +144,15 @@ std::optional<int> mass_named(const LumpedStructure& lumped, const std::string& 
   const int number = is_number ? std::stoi(text) : 0;
   if (number < 1 || number > static_cast<int>(lumped.masses.size())) return {};
   return number - 1;
+}
+
+std::string mass_refusal(const LumpedStructure& lumped, const std::string& text,
+                         bool may_be_ground) {
+  const std::string meant = closest_name(text, lumped.names);
+  return fmt::format("\"{}\" is not allowed, it must be {}a mass from 1 to {}{}{}", text,
+                     may_be_ground ? "0 (the ground) or " : "", lumped.masses.size(),
+                     lumped.names.empty() ? "" : " or the name of one",
+                     meant.empty() ? "" : fmt::format("; did you mean {}?", meant));
 }
 
 void check_discrete(const Scene& scene) {

@@ -26,6 +26,10 @@ DiscreteMatrices discrete_matrices(const Scene& scene);
 // "ground". Returns nullopt where there is none of that name.
 std::optional<int> mass_named(const LumpedStructure& lumped, const std::string& text);
 
+// The sentence about a text that names none.
+std::string mass_refusal(const LumpedStructure& lumped, const std::string& text,
+                         bool may_be_ground);
+
 // Throws InputError where springs, names or rows do not fit each other.
 void check_discrete(const Scene& scene);
 

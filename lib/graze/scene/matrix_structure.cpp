@@ -114,11 +114,9 @@ class PointRows {
   void add(const std::string& path, const std::string& text, double sign, Vector& row) const {
     if (const LumpedStructure* lumped = scene_.lumped()) {
       const std::optional<int> mass = mass_named(*lumped, text);
-      if (!mass)
-        throw scene_error(
-            scene_, path,
-            fmt::format("\"{}\" is not allowed, it must be a mass from 1 to {}{}", text,
-                        lumped->masses.size(), lumped->names.empty() ? "" : " or the name of one"));
+      const bool may_be_ground = sign < 0.0;  // of the point that it is measured from
+      if (!mass || (*mass < 0 && !may_be_ground))
+        throw scene_error(scene_, path, mass_refusal(*lumped, text, may_be_ground));
       if (*mass >= 0) row[*mass] += sign;
       return;
     }

@@ -80,10 +80,6 @@ std::optional<bool> written_in_hertz(const Scene& scene, const std::string& path
   return in_hertz;
 }
 
-}  // namespace
-
-namespace {
-
 std::vector<std::string> split_at(const std::string& text, char where) {
   std::vector<std::string> parts(1);
   for (const char c : text)
@@ -129,6 +125,7 @@ std::vector<TiedPath> tied_paths(const Scene& scene, const std::string& name) {
   for (const std::string& part : split_at(name, ',')) {
     const std::size_t equals = part.find('=');
     const std::string path = part.substr(0, equals);
+    if (path.empty()) throw InputError(fmt::format("{}: a name is missing beside a comma", name));
     double factor = 1.0;
     if (equals != std::string::npos) {
       const std::optional<double> found = factor_of(part.substr(equals + 1), first);
@@ -165,6 +162,9 @@ std::vector<TiedNumber> parameter_numbers(Scene& scene, const std::string& name)
   for (const TiedPath& tied : tied_paths(scene, name)) {
     double* number = find_parameter(scene, tied.path);
     if (number == nullptr) throw unknown_parameter(scene, tied.path);
+    if (std::ranges::any_of(numbers, [&](const auto& one) { return one.number == number; }))
+      throw InputError(
+          fmt::format("{}: {} is meant twice, it must be named once", name, tied.path));
     numbers.push_back({number, tied.factor});
   }
   if (numbers.empty()) throw unknown_parameter(scene, name);
@@ -234,8 +234,9 @@ bool leaves_structure(const std::string& name) {
   const auto leaves = [](const std::string& path) {
     const auto begins = [&](const char* with) { return path.rfind(with, 0) == 0; };
     const auto contains = [&](const char* part) { return path.find(part) != std::string::npos; };
-    return (begins("forcing.") && path != "forcing.position") || begins("gravity.") ||
-           begins("hub.") || path == "beam.thickness" || (begins("load.") && contains(".force")) ||
+    return (begins("forcing.") && !begins("forcing.position") && !begins("forcing.shape")) ||
+           begins("gravity.") || begins("hub.") || path == "beam.thickness" ||
+           (begins("load.") && contains(".force")) ||
            (begins("stop.") &&
             (contains(".gap") || contains(".restitution") || contains(".spring")));
   };

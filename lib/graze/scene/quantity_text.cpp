@@ -39,6 +39,7 @@ constexpr NamedUnit kUnits[] = {
     {"t", false, {1e3, {2, 0, 0, 0}}},
     {"s", true, {1.0, {0, 0, 2, 0}}},
     {"min", false, {60.0, {0, 0, 2, 0}}},
+    {"h", false, {3600.0, {0, 0, 2, 0}}},
     {"rad", true, {1.0, {0, 0, 0, 2}}},
     {"deg", false, {kTurn / 360.0, {0, 0, 0, 2}}},
     {"°", false, {kTurn / 360.0, {0, 0, 0, 2}}},

@@ -162,11 +162,7 @@ Node& member_of(NodeTable& table, const std::string& key, Node made) {
   return table.back().node;
 }
 
-}  // namespace
-
-void apply_setting(Node& root, const std::string& text) {
-  const Setting setting = taken_apart(text);
-  Node value = value_of(setting);
+void set_value(Node& root, const Setting& setting, Node value) {
   const Place place = value.place;
   const std::vector<std::string>& parts = setting.parts;
 
@@ -202,6 +198,23 @@ void apply_setting(Node& root, const std::string& text) {
     path += (path.empty() ? "" : ".") + parts[k];
   }
   *at = std::move(value);
+}
+
+// Whether a setting names an entry beside the diagonal of a symmetric matrix.
+bool is_mirrored(const std::vector<std::string>& parts) {
+  return parts.size() == 4 && parts[0] == "matrices" &&
+         (parts[1] == "mass" || parts[1] == "stiffness") && parts[2] != parts[3];
+}
+
+}  // namespace
+
+void apply_setting(Node& root, const std::string& text) {
+  Setting setting = taken_apart(text);
+  const Node value = value_of(setting);
+  set_value(root, setting, value);
+  if (!is_mirrored(setting.parts)) return;
+  std::swap(setting.parts[2], setting.parts[3]);
+  set_value(root, setting, value);
 }
 
 }  // namespace graze

@@ -5,9 +5,8 @@
 //   u(x, t) = sum phi_j(x) q_j
 //
 // Damping acts on the velocity relative to the clamp. The load's unit is that of the forcing:
-// uniform acceleration for `base`, force per length for `distributed`, force
-// for `point`, 1 for `modal`. Gravity is a
-// uniform acceleration along +u, projected like the load.
+// uniform acceleration for `base`, force per length for `distributed`, force for `point`, 1 for
+// `modal`. Gravity is a uniform acceleration along +u, projected like the load.
 #pragma once
 
 #include <optional>

@@ -9,12 +9,24 @@
 
 namespace graze {
 
+namespace {
+
+// The sum of the sizes of what modal forces do at a stop; of modes that damping couples each force
+// may come to act there, by the bound of their product.
+double push_at(const System& system, const Stop& stop, const Vector& force) {
+  return system.coupling() ? stop.row.norm() * force.norm()
+                           : stop.row.cwiseProduct(force).cwiseAbs().sum();
+}
+
+}  // namespace
+
 double forced_reach_at(const System& system, const Stop& stop) {
   double reach = 0.0;
   if (!system.forcing()) return reach;
   const double frequency = system.forcing()->frequency;
   for (Eigen::Index j = 0; j < system.omega.size(); ++j)
-    reach = std::max(reach, std::abs(stop.row[j] * system.forcing()->amplitude[j]) /
+    reach = std::max(reach, std::abs((system.coupling() ? stop.row.norm() : stop.row[j]) *
+                                     system.forcing()->amplitude[j]) /
                                 std::max(system.omega[j] * system.omega[j], frequency * frequency));
   return reach;
 }
@@ -69,14 +81,16 @@ double speed_scale(const System& system, const State& start) {
     const double forced = forced_reach_at(system, stop);
     // Over a distance d an acceleration a comes to sqrt(2 a d), however slowly it turns.
     if (forced > 0.0) {
-      const Vector& force = system.forcing()->amplitude;
-      const double fall = std::sqrt(2.0 * stop.row.cwiseProduct(force).cwiseAbs().sum() * distance);
+      const double fall =
+          std::sqrt(2.0 * push_at(system, stop, system.forcing()->amplitude) * distance);
       const double whole = forced * system.forcing()->frequency;
       scale = std::max(scale, distance > 0.0 ? std::min(whole, fall) : whole);
     }
     if (system.load()) {
       const double height = distance > 0.0 ? distance : forced;
-      scale = std::max(scale, std::sqrt(2.0 * std::abs(stop.row.dot(*system.load())) * height));
+      const double pushed = system.coupling() ? push_at(system, stop, *system.load())
+                                              : std::abs(stop.row.dot(*system.load()));
+      scale = std::max(scale, std::sqrt(2.0 * pushed * height));
     }
     if (system.turns()) {
       // As if all of the torque and of the weight acted on the way to the stop at once.

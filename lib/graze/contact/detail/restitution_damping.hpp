@@ -9,9 +9,8 @@
 //   Hunt & Crossley         C = (3/2) alpha k,  alpha = (1 - e)/v
 //   Lankarani & Nikravesh   C = 3 k (1 - e^2)/(4 v)
 //   Flores et al.           C = 8 k (1 - e)/(5 e v)
-//   Jankowski (n = 3/2)     C = 2 zeta sqrt(k m),  zeta = (9 sqrt 5/2) (1 - e^2)/(e (e (9 pi - 16)
-//   +
-//                           16)), from an approximate balance of energy
+//   Jankowski (n = 3/2)     C = 2 zeta sqrt(k m),  from an approximate balance of energy
+//                           zeta = (9 sqrt 5/2) (1 - e^2)/(e (e (9 pi - 16) + 16))
 //
 // The three before the last are F = k x^n (1 + d v): with A = d v_0 at a meeting speed v_0
 //

@@ -60,16 +60,30 @@ std::string title(const Scene& scene) {
   return scene.title.empty() ? "" : terminal_line(scene.title) + "\n";
 }
 
+// "0.1 1/s M + 0.002 s K"; a part that is rounding beside the other is left out.
+std::string proportional_text(const Scene& scene, const ModalDamping& damping) {
+  const TextUnits in(scene.units);
+  const double fastest = std::ranges::max(scene.modal()->frequencies);
+  const double of_mass = std::abs(damping.mass),
+               of_stiffness = std::abs(damping.stiffness) * fastest * fastest;
+  const double seen = kProportionalExactly * std::max(of_mass, of_stiffness);
+  std::string text;
+  if (of_mass > seen || of_stiffness == 0.0) text = in.quantity(damping.mass, 6, "1/s") + " M";
+  if (!(of_stiffness > seen)) return text;
+  const char* sign = damping.stiffness < 0.0 ? "-" : "+";
+  const double size = text.empty() ? damping.stiffness : std::abs(damping.stiffness);
+  return text + (text.empty() ? "" : fmt::format(" {} ", sign)) + in.quantity(size, 6, "s") + " K";
+}
+
 std::string damping_text(const Scene& scene) {
   const TextUnits in(scene.units);
   if (const ModalDamping* damping = damping_of_matrices(scene)) {
     const char* whose = scene.lumped() ? "of dashpots" : "of a matrix";
     return damping->coupling.size() > 0
                ? fmt::format("{}, which couple{} the modes", whose, scene.lumped() ? "" : "s")
-           : damping->is_proportional ? fmt::format("{}, proportional: {} M + {} K", whose,
-                                                    in.quantity(damping->mass, 6, "1/s"),
-                                                    in.quantity(damping->stiffness, 6, "s"))
-                                      : fmt::format("{}, of each mode alone", whose);
+           : damping->is_proportional
+               ? fmt::format("{}, proportional: {}", whose, proportional_text(scene, *damping))
+               : fmt::format("{}, of each mode alone", whose);
   }
   if (!scene.damping)
     return scene.modal() && !scene.modal()->damping_ratios.empty() ? "a ratio for each mode"

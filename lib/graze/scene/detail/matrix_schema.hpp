@@ -97,7 +97,9 @@ void describe(auto& v, Of<GyroscopicPair> auto& pair, const Scene&) {
 }
 
 void describe(auto& v, Of<LumpedStructure> auto& lumped, const Scene&) {
-  v.values({"masses", "kg", kPositive.told("numbers > 0"), "m_1, m_2, .."}, lumped.masses);
+  v.values(Key{"masses", "kg", kPositive.told("numbers > 0"), "m_1, m_2, .."}.as(
+               "a list of numbers in kg, one for each mass"),
+           lumped.masses);
   v.labels(Key{"names", "", own_rule("one for each mass"),
                "by which springs, stops and the like may call them, beside their numbers from 1"}
                .or_else("none")

@@ -311,9 +311,15 @@ void describe(auto& v, Of<Initial> auto& initial, const Scene& scene) {
                       "must be left out")
                .as("a list of numbers in m"),
            initial.positions);
-  v.values(of_own(Key{"displacement", "m", own_rule("one for each"),
-                      "of the masses or degrees of freedom, or at the positions"})
-               .as("a list of numbers in m, one for each mass, degree of freedom or position"),
+  const Key displacement =
+      of_own(Key{"displacement", "m", own_rule("one for each"),
+                 "of the masses or degrees of freedom, or at the positions"})
+          .as("a list of numbers in m, one for each mass, degree of freedom or position");
+  v.values(initial.in_equilibrium
+               ? displacement.where(false,
+                                    "the displacements are those at rest, it must be left "
+                                    "out")
+               : displacement,
            initial.displacement);
   v.values(of_own(Key{"velocity", "m/s", own_rule("one for each"), "their rates"})
                .as("a list of numbers in m/s, one for each mass, degree of freedom or position"),
