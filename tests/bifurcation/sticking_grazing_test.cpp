@@ -223,7 +223,7 @@ TEST(StickingGrazing, PairsBetweenOrbitsWithTheSameEventsAreSeen) {
   range.from = 0.4785;
   range.to = 0.4835;
   // Orbits that the second stop does not touch, at fixed values.
-  Vector u = without.shooting().pack(start.theta, start.states);
+  Vector u = without.shooting().pack(system, start.theta, start.states);
   double value = point.value;
   const auto at = [&](double next) {
     std::optional<SolutionPoint> solution;

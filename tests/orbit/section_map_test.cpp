@@ -9,9 +9,11 @@
 #include <span>
 
 #include "graze/assembly/assembly.hpp"
+#include "graze/assembly/system_family.hpp"
 #include "graze/orbit/problem/detail/section_map.hpp"
 #include "graze/orbit/search/finder.hpp"
 #include "graze/orbit/search/settled.hpp"
+#include "graze/scene/reader.hpp"
 #include "support/contact_laws.hpp"
 #include "support/reference.hpp"
 #include "support/systems.hpp"
@@ -59,7 +61,7 @@ class SectionMapOf : public ::testing::TestWithParam<ContactForce> {};
 TEST_P(SectionMapOf, SlopesAreThoseOfDifferences) {
   const System system = three_modes(GetParam());
   const SectionMap map(system, {}, {});
-  const Vector x = map.pack(some_state());
+  const Vector x = map.pack(system, some_state());
   const std::optional<TrajectorySegment> segment = map.follow(system, x, 0.0, 1);
   ASSERT_TRUE(segment);
   ASSERT_GE(segment->contacts.size(), 2u);
@@ -77,7 +79,7 @@ TEST_P(SectionMapOf, SlopesAreThoseOfDifferences) {
 TEST_P(SectionMapOf, ParametersMoveItAsDifferencesSay) {
   const System system = three_modes(GetParam());
   const SectionMap map(system, {}, {});
-  const Vector x = map.pack(some_state());
+  const Vector x = map.pack(system, some_state());
   struct Case {
     const char* name;
     std::function<void(System&, double)> move;
@@ -134,7 +136,7 @@ TEST_P(SectionMapOfConstantDamping, VolumesShrinkByTheDampingAlone) {
   const ContactForce law = GetParam();
   const System system = three_modes(law);
   const SectionMap map(system, {}, {});
-  const Vector x = map.pack(some_state());
+  const Vector x = map.pack(system, some_state());
   const std::optional<TrajectorySegment> segment = map.follow(system, x, 0.0, 1);
   ASSERT_TRUE(segment);
   double loaded = 0.0;
@@ -220,7 +222,7 @@ TEST(SectionMap, StartsInNoDentThatDampingKeepsItIn) {
   const auto starts = [&](const System& system, double depth) {
     const Vector q = stop.row * ((stop.gap + depth) / stop.row.squaredNorm());
     const SectionMap map(system, {}, {});
-    return map.start_of(system, map.pack({q, Vector::Zero(3)}), 0.0).has_value();
+    return map.start_of(system, map.pack(system, {q, Vector::Zero(3)}), 0.0).has_value();
   };
   const double mass = 1.0 / stop.row.squaredNorm();
   const double deepest = std::pow(1e4 * mass * k / (c * c), 1.0 / (n + 1.0));
@@ -249,6 +251,51 @@ TEST(OrbitOnASpring, NothingMovesWithoutForcing) {
   const FoundOrbits found = find_orbits(system, support::state_of({0.0}, {0.0}), {});
   EXPECT_TRUE(found.orbits.empty());
 }
+
+// A hub with two arms, damped by its springs alone: where the arms are equal one mode leaves the
+// hub at rest, and beside that value its sign is another. In the coordinates of the masses nothing
+// jumps.
+class SectionMapOfMasses : public ::testing::TestWithParam<const char*> {
+ protected:
+  static Scene hub() {
+    return parse_scene(
+        "[lumped]\nmasses = [1.0, 1.0, 1.0]\n"
+        "[[lumped.spring]]\nbetween = [0, 1]\nstiffness = 100\ndamping = 0.5\n"
+        "[[lumped.spring]]\nbetween = [1, 2]\nstiffness = 100\ndamping = 0.7\n"
+        "[[lumped.spring]]\nbetween = [1, 3]\nstiffness = 100\ndamping = 0.7\n"
+        "[forcing]\nmass = 1\namplitude = 5\nfrequency = 14\n"
+        "[[stop]]\nmass = 2\ngap = 0.01\nrestitution = 0.2\n",
+        "hub");
+  }
+};
+
+TEST_P(SectionMapOfMasses, DoesNotSeeTheSignsOfModes) {
+  const SystemFamily family(hub(), GetParam());
+  const double equal = family.value();
+  const System reference = *family.at(equal);
+  const SectionMap map(reference, {}, {});
+  const Vector x =
+      map.pack(reference, support::state_of({0.005, 0.002, -0.001}, {0.1, 0.05, -0.07}));
+  const auto image = [&](double part) {
+    return image_of(map, *family.at(equal * (1.0 + part)), x)->image;
+  };
+  const Vector here = image(0.0);
+  for (const double part : {1e-6, 1e-9, -1e-9, -1e-6})
+    EXPECT_LT((image(part) - here).norm(), 100.0 * std::abs(part) * here.norm()) << part;
+  for (const double part : {-0.02, -1e-5, 0.0, 1e-5, 0.02}) {
+    const double value = equal * (1.0 + part);
+    const System system = *family.at(value), tangent = *family.tangent_at(value);
+    const auto moved = image_of(map, system, x, &tangent);
+    ASSERT_TRUE(moved);
+    const Vector slope = slope_of(
+        [&](double h) { return image_of(map, *family.at(value + h), x)->image; }, 1e-4 * equal);
+    EXPECT_LT((slope - moved->by_parameters.col(0)).norm(), 1e-6 * slope.norm()) << part;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Numbers, SectionMapOfMasses,
+                         ::testing::Values("lumped.spring.2.stiffness", "lumped.spring.3.damping",
+                                           "lumped.masses.2", "lumped.masses.3"));
 
 }  // namespace
 }  // namespace graze

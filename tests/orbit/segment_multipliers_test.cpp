@@ -33,7 +33,8 @@ TEST(SegmentMultipliers, SmallOnesOfTwoPeriodsAreKnownToTheRoundingOfOne) {
   const SectionMap map(system, {}, {});
   State state = support::state_of({0.1, 0.0}, {0.3, 0.0});
   for (int turn = 0; turn < 600; ++turn) {
-    const std::optional<TrajectorySegment> segment = map.follow(system, map.pack(state), 0.0, 1);
+    const std::optional<TrajectorySegment> segment =
+        map.follow(system, map.pack(system, state), 0.0, 1);
     ASSERT_TRUE(segment);
     state = {segment->end.q, segment->end.qdot};
   }

@@ -32,7 +32,7 @@ void expect_segment_derivatives(const Scene& scene, const std::string& parameter
   const std::vector<LaidOrbit> releases = layouts_of(found.system, found.orbit, options_of(found));
   ASSERT_FALSE(releases.empty());
   const SegmentShooting section(found.system, releases[0].layout, options_of(found));
-  const Vector u = section.pack(releases[0].theta, releases[0].states);
+  const Vector u = section.pack(found.system, releases[0].theta, releases[0].states);
   const double value = family.value();
   const System tangent = *family.tangent_at(value);
   const System* const tangents[] = {&tangent};
@@ -113,7 +113,7 @@ TEST(SegmentShooting, HasTheMultipliersOfAnySection) {
     const Found found = settled_orbit(scene);
     const LaidOrbit at = layouts_of(found.system, found.orbit, options_of(found)).at(0);
     const SegmentShooting section(found.system, at.layout, options_of(found));
-    const Vector u = section.pack(at.theta, at.states);
+    const Vector u = section.pack(found.system, at.theta, at.states);
     const std::vector<Eigenvalue> multipliers =
         section.multipliers(found.system, u, ErrorBounds::kGiven);
     ASSERT_EQ(multipliers.size(), found.orbit.multipliers.size());

@@ -83,6 +83,7 @@ System assemble(const Scene& scene, const ModalModel& model) {
   if (scene.forcing) system.modal().forcing = assemble_forcing(*scene.forcing, model.participation);
   system.modal().load = constant_load(scene, model);
   if (model.coupling.size() > 0) system.modal().coupling = model.coupling;
+  if (model.coordinates.size() > 0) system.modal().coordinates = model.coordinates;
   system.stops.reserve(scene.stops.size());
   const std::vector<ResidualSpring> residual = residual_springs(scene, model);
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
@@ -108,6 +109,7 @@ System system_tangent(const Scene& scene, const Scene& direction, const ModalMod
   if (const std::optional<Vector> moved = constant_load(scene, rate))
     *tangent.modal().load += *moved;
   if (rate.coupling.size() > 0) tangent.modal().coupling = rate.coupling;
+  if (rate.coordinates.size() > 0) tangent.modal().coordinates = rate.coordinates;
   tangent.stops.reserve(scene.stops.size());
   const std::vector<ResidualSpring> residual = residual_spring_rates(scene, direction, model, rate);
   for (std::size_t i = 0; i < scene.stops.size(); ++i)

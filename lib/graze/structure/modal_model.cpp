@@ -169,6 +169,10 @@ ModalModel given_model(const Scene& scene) {
   ModalModel model = given_numbers(scene, scene);
   model.delta = decay_rates(scene, model.omega);
   if (const ModalDamping* damping = damping_of_matrices(scene)) model.coupling = damping->coupling;
+  if (has_own_matrices(scene)) {
+    const Matrix& shapes = scene.discrete()->solved->modes.shapes;
+    if (shapes.rows() == shapes.cols()) model.coordinates = shapes;
+  }
   return model;
 }
 
@@ -180,6 +184,7 @@ ModalModel discrete_tangent(const Scene& scene, const ModalModel& model, const S
   rate.omega = rates.omega;
   rate.delta = 0.5 * rates.damping.diagonal();
   if (scene.damping) rate.delta = decay_tangent(scene, model, rate.omega, direction);
+  if (model.coordinates.size() > 0) rate.coordinates = rates.shapes;
   Matrix coupling = rates.damping;
   coupling.diagonal().setZero();
   if (model.coupling.size() > 0 || coupling.norm() > kProportionalExactly * rates.damping.norm())

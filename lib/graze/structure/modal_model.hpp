@@ -22,6 +22,7 @@ struct ModalModel {
   Vector omega;          // natural frequencies, rad/s, N
   Vector delta;          // decay rates, 1/s, N
   Matrix coupling;       // of the damping, 1/s, N x N with a zero diagonal; empty: none
+  Matrix coordinates;    // of the masses or degrees of freedom by all modes, N x N, kg^-1/2; or none
   Vector participation;  // modal force per unit load, N; empty without forcing
   Vector inertia;  // modal force per unit of uniform acceleration, kg^1/2, N; empty: no gravity
   std::vector<Vector> shapes;  // phi_j at each stop, kg^-1/2, N each

@@ -67,6 +67,9 @@ struct NaturalModes {
   std::optional<HarmonicForcing> forcing{};
   std::optional<Vector> load{};      // constant modal force (gravity), kg^1/2 m/s^2, N
   std::optional<Matrix> coupling{};  // the rest of D, 1/s, N x N with a zero diagonal
+  // Displacements of the masses or degrees of freedom by the modes, N x N, of a structure whose
+  // modes may change their sign or their order along a branch.
+  std::optional<Matrix> coordinates{};
 };
 
 struct System {
@@ -99,6 +102,10 @@ struct System {
   // Null where each mode moves by itself, and with a rotating hub.
   const Matrix* coupling() const {
     return !turns() && modal().coupling ? &*modal().coupling : nullptr;
+  }
+  // Null where modes are never renumbered, and with a rotating hub.
+  const Matrix* coordinates() const {
+    return !turns() && modal().coordinates ? &*modal().coordinates : nullptr;
   }
   // D, and D q'. Both require a structure without a rotating hub.
   Matrix damping() const {

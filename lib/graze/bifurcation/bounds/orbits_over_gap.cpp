@@ -68,7 +68,7 @@ class GapBranch {
     range_.from = std::min(*touches, 0.0) - kNarrowest;
     range_.to = std::max(*touches, 0.0) + kWidest;
     const PeriodicResponseAnswer answer = periodic_response(system_, 1);
-    const Vector clear = shooting_.pack({answer.response->forced_state(0.0)});
+    const Vector clear = shooting_.pack(system_, {answer.response->forced_state(0.0)});
     std::optional<SolutionPoint> start = solve_at(problem_, range_, clear, *touches + kClear);
     if (!start) return {};
     start->turn_round();

@@ -312,7 +312,7 @@ std::optional<Vector> SegmentEquations::carried(const Vector& u, Parameters at,
     const auto within =
         map().within(*system, u.segment(i, map().size()), layout().theta, angle, false, {});
     if (!within) return {};
-    there.segment(i, map().size()) = map().pack(within->state);
+    there.segment(i, map().size()) = map().pack(*system, within->state);
   }
   return there;
 }
@@ -332,12 +332,13 @@ std::optional<SolutionPoint> SegmentEquations::carried_to(const OrbitProblem& ot
     const auto at = map().within(*system, solution.u.segment(i, m), layout().theta, angle, false,
                                  std::span(&tangent, 1));
     if (!at) return {};
-    carried.u.segment(i, m) = map().pack(at->state);
+    carried.u.segment(i, m) = map().pack(*system, at->state);
     const Vector along = solution.tangent.segment(i, m);
     const State& moved = at->by_parameters.front();
     const double rate = solution.rate() * range;
-    carried.tangent.segment(i, m) = map().pack(
-        {at->by_state.q * along + rate * moved.q, at->by_state.qdot * along + rate * moved.qdot});
+    carried.tangent.segment(i, m) =
+        map().seen(*system, at->by_state.q * along, at->by_state.qdot * along) +
+        rate * map().pack_rate(*system, *tangent, at->state, moved);
   }
   return solve_near(other.problem(), options, carried.u, carried.parameter, carried.tangent);
 }
@@ -376,7 +377,7 @@ std::vector<SolutionPoint> SegmentEquations::rewritings(const OrbitProblem& of,
     for (const LaidOrbit& laid : layouts_of(*system, at->orbit, map().options())) {
       if (!(laid.layout == layout())) continue;
       list.push_back(solution);
-      list.back().u = shooting_.pack(laid.theta, laid.states);
+      list.back().u = shooting_.pack(*system, laid.theta, laid.states);
     }
     return list;
   }

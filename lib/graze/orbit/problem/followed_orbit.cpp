@@ -187,7 +187,8 @@ FollowedAnswer stuck_orbit(const System& system, const MotionState<double>& star
            options);
   if (!to_section.failure.empty()) return {{}, to_section.failure};
   const SegmentShooting shooting = stuck_at(system, to_section.end, period, options);
-  return solve_from(system, shooting, shooting.pack({{to_section.end.q, to_section.end.qdot}}));
+  return solve_from(system, shooting,
+                    shooting.pack(system, {{to_section.end.q, to_section.end.qdot}}));
 }
 
 // The orbit of a solution at a release, by a section within the stuck phase before it.
@@ -278,7 +279,7 @@ FollowedAnswer followed_orbit(const System& system, const std::vector<State>& tu
                               const SegmentOptions& options) {
   const SegmentShooting shooting(system, SegmentLayout::fixed_phase(static_cast<int>(turns.size())),
                                  options);
-  return solve_from(system, shooting, shooting.pack(turns));
+  return solve_from(system, shooting, shooting.pack(system, turns));
 }
 
 FollowedAnswer followed_orbit(const System& system, const State& at_period_start, int period,
@@ -299,11 +300,12 @@ FollowedAnswer followed_orbit(const System& system, const State& at_period_start
   if (!to_section.failure.empty()) return {{}, to_section.failure};
   std::vector<State> turns{{to_section.end.q, to_section.end.qdot}};
   while (static_cast<int>(turns.size()) < period) {
-    const auto turn = shooting.map().follow(system, shooting.map().pack(turns.back()), 0.0, 1);
+    const auto turn =
+        shooting.map().follow(system, shooting.map().pack(system, turns.back()), 0.0, 1);
     if (!turn) return {{}, "the motion cannot be followed"};
     turns.push_back({turn->end.q, turn->end.qdot});
   }
-  return solve_from(system, shooting, shooting.pack(turns));
+  return solve_from(system, shooting, shooting.pack(system, turns));
 }
 
 FollowedAnswer orbit_through(const System& system, const MotionState<double>& at_section,
@@ -311,7 +313,7 @@ FollowedAnswer orbit_through(const System& system, const MotionState<double>& at
   if (closed_stops(at_section).empty())
     return {{}, "no stop is closed where the orbit is said to stick"};
   const SegmentShooting shooting = stuck_at(system, at_section, period, options);
-  const Vector u = shooting.pack({{at_section.q, at_section.qdot}});
+  const Vector u = shooting.pack(system, {{at_section.q, at_section.qdot}});
   std::optional<Orbit> orbit =
       orbit_of(system, shooting, u, shooting.multipliers(system, u, ErrorBounds::kGiven));
   if (!orbit) return {{}, "the motion does not come back to its stuck phase"};

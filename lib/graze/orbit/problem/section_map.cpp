@@ -83,24 +83,41 @@ SectionMap::SectionMap(const System& reference, std::vector<int> closed,
     speeds = scale.displacement * held.reduced.omega.cwiseMax(reference.forcing()->frequency);
   }
   unit_.resize(2 * basis_.cols());
-  unit_ << Vector::Constant(basis_.cols(), scale.displacement), speeds;
+  if (own_coordinates(reference))
+    unit_ << Vector::Constant(n, scale.length), Vector::Constant(n, scale.speed);
+  else
+    unit_ << Vector::Constant(basis_.cols(), scale.displacement), speeds;
 }
 
-Matrix SectionMap::seen(const Matrix& q, const Matrix& qdot) const {
+Matrix SectionMap::seen(const System& system, const Matrix& q, const Matrix& qdot) const {
   Matrix coordinates(size(), q.cols());
-  if (closed_.empty())
+  if (const Matrix* own = own_coordinates(system))
+    coordinates << *own * q, *own * qdot;
+  else if (closed_.empty())
     coordinates << q, qdot;
   else
     coordinates << basis_.transpose() * q, basis_.transpose() * qdot;
   return unit_.cwiseInverse().asDiagonal() * coordinates;
 }
 
-Vector SectionMap::pack(const State& state) const { return seen(state.q, state.qdot); }
+Vector SectionMap::pack(const System& system, const State& state) const {
+  return seen(system, state.q, state.qdot);
+}
+
+Vector SectionMap::pack_rate(const System& system, const System& tangent, const State& at,
+                             const State& moved) const {
+  const Vector rate = pack(system, moved);
+  return own_coordinates(tangent) ? Vector(rate + pack(tangent, at)) : rate;
+}
 
 std::optional<SectionMap::Chart> SectionMap::chart_at(const System& system, const Vector& x) const {
   if (!x.allFinite()) return {};
   const Eigen::Index n = system.modes(), m = basis_.cols(), k = n - m;
   const Vector coordinates = x.cwiseProduct(unit_);
+  if (const Matrix* own = own_coordinates(system)) {
+    const Matrix modal = LuFactors(*own).solve_columns(basis_);
+    return Chart{{modal * coordinates.head(n), modal * coordinates.tail(n)}, modal};
+  }
   if (k == 0) return Chart{{coordinates.head(n), coordinates.tail(n)}, basis_};
   Matrix whole(n, n);
   whole << rows_of(system, closed_), basis_;
@@ -118,6 +135,12 @@ std::optional<SectionMap::Chart> SectionMap::chart_at(const System& system, cons
 // B^T dq = da - dB^T q, U^T dq = 0; likewise for the velocity.
 State SectionMap::chart_rate(const System& system, const System& tangent, const State& at) const {
   const Eigen::Index n = at.q.size(), k = n - basis_.cols();
+  if (const Matrix* rate = own_coordinates(tangent)) {
+    Matrix turned(n, 2);
+    turned << *rate * at.q, *rate * at.qdot;
+    const Matrix moved = LuFactors(*system.coordinates()).solve_columns(turned);
+    return {-moved.col(0), -moved.col(1)};
+  }
   if (k == 0) return {Vector::Zero(n), Vector::Zero(n)};
   const Matrix rows_rate = rows_of(tangent, closed_);
   Matrix whole(n, n), right = Matrix::Zero(n, 2);
@@ -182,19 +205,21 @@ std::optional<SectionMap::Image> SectionMap::image(const System& system, const V
     TrajectorySegment segment = pass(system, *start, end, options_, k == 0 ? &deviations : nullptr,
                                      parameter ? &*parameter : nullptr);
     if (!segment.failure.empty()) return {};
-    if (parameter) image.by_parameters.col(static_cast<Eigen::Index>(k)) = pack(parameter->value());
+    if (parameter)
+      image.by_parameters.col(static_cast<Eigen::Index>(k)) =
+          pack_rate(system, *tangents[k], {segment.end.q, segment.end.qdot}, parameter->value());
     if (k > 0) continue;
     image.end = std::move(segment.end);
     image.contacts = std::move(segment.contacts);
   }
-  image.image = pack({image.end.q, image.end.qdot});
-  const Matrix slopes = seen(deviations.q, deviations.qdot);
+  image.image = pack(system, {image.end.q, image.end.qdot});
+  const Matrix slopes = seen(system, deviations.q, deviations.qdot);
   if (!slopes.allFinite()) return {};
   image.jacobian = slopes.rightCols(size());
   if (!moves) return image;
   const State rate = rate_of(system, image.end);
   image.by_start = slopes.col(0);
-  image.by_end = pack(rate) / system.forcing()->frequency;
+  image.by_end = pack(system, rate) / system.forcing()->frequency;
   return image;
 }
 

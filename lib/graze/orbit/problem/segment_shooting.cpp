@@ -80,12 +80,13 @@ Vector SegmentShooting::wrap() const {
   return wrap;
 }
 
-Vector SegmentShooting::pack(double theta, const std::vector<State>& states) const {
+Vector SegmentShooting::pack(const System& system, double theta,
+                             const std::vector<State>& states) const {
   Vector u(head() + static_cast<Eigen::Index>(states.size()) * map_.size());
   if (layout_.released) u[0] = theta;
   for (std::size_t i = 0; i < states.size(); ++i)
     u.segment(head() + static_cast<Eigen::Index>(i) * map_.size(), map_.size()) =
-        map_.pack(states[i]);
+        map_.pack(system, states[i]);
   return u;
 }
 

@@ -4,7 +4,8 @@
 // While the stops C hold, the motion has N - m degrees of freedom. A state on the section is given
 // by x = (y, y') in coordinates that do not move with a parameter, y = U^T q and y' = U^T q' with U
 // orthogonal to the rows of one system of a family; q follows from B^T q = a, U^T q = y, likewise
-// q'. Where no stop is closed, U = 1 and x is the whole state.
+// q'. Where no stop is closed, U = 1 and x is the whole state; of masses and springs it is that of
+// the masses, u = Phi q, since modes may change their sign or their order with a parameter.
 //
 // The map is the simulated motion, certified as in a run, and so are its fixed points. It is smooth
 // through every contact on a compliant stop whose force sets in without a jump; at other grazing
@@ -35,7 +36,10 @@ class SectionMap {
   const std::vector<int>& closed() const { return closed_; }
   Eigen::Index size() const { return unit_.size(); }  // 2(N - m)
   const Vector& unit() const { return unit_; }        // of x
-  Vector pack(const State& state) const;
+  Vector pack(const System& system, const State& state) const;
+  // Its derivative by a parameter along which the state moves at the rate `moved`.
+  Vector pack_rate(const System& system, const System& tangent, const State& at,
+                   const State& moved) const;
 
   // The state of x, and its derivative by y, which is also that of q' by y'.
   struct Chart {
@@ -48,7 +52,7 @@ class SectionMap {
   // Derivative of the state by a parameter at a fixed x.
   State chart_rate(const System& system, const System& tangent, const State& at) const;
   // Derivative of x by the state at its instant.
-  Matrix seen(const Matrix& q, const Matrix& qdot) const;
+  Matrix seen(const System& system, const Matrix& q, const Matrix& qdot) const;
 
   // The start of the motion from x at phase theta, rad, within the forcing period 0. Returns
   // nullopt where chart_at does, when a rigid stop is penetrated, or a compliant one so deep that
@@ -99,6 +103,11 @@ class SectionMap {
                               const Chart& chart, bool moves) const;
 
   SegmentOptions options_;
+  // The matrix that x sees a state by; null: 1.
+  const Matrix* own_coordinates(const System& system) const {
+    return closed_.empty() ? system.coordinates() : nullptr;
+  }
+
   std::vector<int> closed_;
   Matrix basis_;  // U, N x (N - m)
   Vector unit_;   // of (y, y')

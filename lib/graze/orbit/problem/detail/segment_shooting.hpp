@@ -77,8 +77,10 @@ class SegmentShooting {
     return u.segment(head() + i * map_.size(), map_.size());
   }
   int periods_each() const { return layout_.period / layout_.sections; }
-  Vector pack(double theta, const std::vector<State>& states) const;
-  Vector pack(const std::vector<State>& states) const { return pack(layout_.theta, states); }
+  Vector pack(const System& system, double theta, const std::vector<State>& states) const;
+  Vector pack(const System& system, const std::vector<State>& states) const {
+    return pack(system, layout_.theta, states);
+  }
   std::vector<State> unpack(const System& system, const Vector& u) const;
 
   // All derivatives, also by the parameters that move the system along these tangents; nullopt when
