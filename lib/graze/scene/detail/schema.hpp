@@ -295,8 +295,8 @@ void describe(auto& v, Of<Initial> auto& initial, const Scene& scene) {
   const auto of_own = [&](const Key& key) {
     return key.or_else("none").where(
         own || spans,
-        "the coordinates are those of [lumped], of matrices in the scene or of a span that does "
-        "not turn, it must be left out");
+        "it is that of [lumped], of matrices in the scene or of a span that does not turn, it must "
+        "be left out");
   };
   v.choice(Key{"at", "", kAny, "equilibrium: displacements are those at rest under constant loads"}
                .or_else()
@@ -306,9 +306,7 @@ void describe(auto& v, Of<Initial> auto& initial, const Scene& scene) {
                "of a beam, string or bar: where it has the displacements and velocities that "
                "follow, linear between these places and even beyond them"}
                .or_else("none")
-               .where(spans,
-                      "the places are those of a beam, string or bar that does not turn, it "
-                      "must be left out")
+               .where(spans, "they are those of a span that does not turn, it must be left out")
                .as("a list of numbers in m"),
            initial.positions);
   const Key displacement =
@@ -316,9 +314,7 @@ void describe(auto& v, Of<Initial> auto& initial, const Scene& scene) {
                  "of the masses or degrees of freedom, or at the positions"})
           .as("a list of numbers in m, one for each mass, degree of freedom or position");
   v.values(initial.in_equilibrium
-               ? displacement.where(false,
-                                    "the displacements are those at rest, it must be left "
-                                    "out")
+               ? displacement.where(false, "it is that at rest, it must be left out")
                : displacement,
            initial.displacement);
   v.values(of_own(Key{"velocity", "m/s", own_rule("one for each"), "their rates"})
