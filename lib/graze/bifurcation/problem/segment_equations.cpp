@@ -336,9 +336,9 @@ std::optional<SolutionPoint> SegmentEquations::carried_to(const OrbitProblem& ot
     const Vector along = solution.tangent.segment(i, m);
     const State& moved = at->by_parameters.front();
     const double rate = solution.rate() * range;
-    carried.tangent.segment(i, m) =
-        map().seen(*system, at->by_state.q * along, at->by_state.qdot * along) +
-        rate * map().pack_rate(*system, *tangent, at->state, moved);
+    carried.tangent.segment(i, m) = map().pack_rate(
+        *system, *tangent, {rate * at->state.q, rate * at->state.qdot},
+        {at->by_state.q * along + rate * moved.q, at->by_state.qdot * along + rate * moved.qdot});
   }
   return solve_near(other.problem(), options, carried.u, carried.parameter, carried.tangent);
 }

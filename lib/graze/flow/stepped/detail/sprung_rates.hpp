@@ -101,8 +101,7 @@ class Sprung {
     return system_.turning ? 0.0 : std::fmax(largest_of(scale_), system_.frequency);
   }
 
-  // The terms of the right-hand side, for series expansions. On a rotating hub there are others,
-  // too.
+  // The terms of the right-hand side, for series expansions; on a rotating hub there are more.
   const SprungSystem& system() const { return system_; }
   const Contact& contact(std::size_t spring) const { return contacts_[spring]; }
   Eigen::Index modes() const { return system_.load.size(); }
@@ -302,7 +301,9 @@ inline void Sprung::operator()(const State& z, State& slope, double s) {
     const double force = spring.law.at(at.depth, at.rate) / unit_;
     acceleration -= force * spring.acting;
     const double speed = at.rate / unit_;
-    slope[place(kSprings + i)] = spring.law.resisting(at.depth, at.rate) / unit_ * speed;
+    slope[place(kSprings + i)] = spring.law.is_of_one_piece()
+                                     ? spring.law.resistance(at.depth) * speed * speed
+                                     : spring.law.resisting(at.depth, at.rate) / unit_ * speed;
   }
   if (system_.turning) add_inertia(acceleration);
 }
