@@ -50,11 +50,14 @@ std::optional<Scene> SystemFamily::scene_at(double value) const {
 
 std::optional<System> SystemFamily::at(double value) const {
   const std::optional<Scene> scene = scene_at(value);
-  if (!scene) return {};
+  return scene ? system_of(*scene) : std::nullopt;
+}
+
+std::optional<System> SystemFamily::system_of(const Scene& scene) const {
   try {
-    ModalModel model = modal_model(*scene);
+    ModalModel model = modal_model(scene);
     if (couples_) couple(model);
-    return assemble(*scene, model);
+    return assemble(scene, model);
   } catch (const InputError&) {
     return {};  // a structure that buckles there
   }

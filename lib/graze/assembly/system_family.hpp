@@ -24,6 +24,8 @@ class SystemFamily {
   // System, and its derivative by the parameter, at a value; nullopt when the scene does not allow
   // that value (a negative length, a stop off the beam).
   std::optional<System> at(double value) const;
+  // The system of a scene of the family (scene_at), likewise.
+  std::optional<System> system_of(const Scene& scene) const;
   // The scene at that value, likewise.
   std::optional<Scene> scene_at(double value) const;
   std::optional<System> tangent_at(double value) const;
@@ -49,6 +51,8 @@ class SystemCursor {
   // System, and its derivative by one of the parameters; they hold until other values are asked
   // for. Null where the scene does not allow the values.
   const System* at(std::span<const double> values);
+  // The scene at the present values, without places in a file.
+  const Scene& scene() const { return scene_; }
   const System* tangent_at(std::span<const double> values, std::size_t parameter);
 
   // For a family of one parameter.

@@ -143,8 +143,10 @@ const System* FitModel::system_at(const Vector& values, State& start) {
     why_ = "the scene does not allow these values";
     return nullptr;
   }
-  // What a start in the structure's own coordinates is in the modes depends on these.
-  const std::optional<State> clear = clear_start(scene_at(values), *system);
+  // What a start in the structure's own coordinates is in the modes depends on the structure there.
+  Scene there = cursor_->scene();
+  there.initial = scene_.initial;
+  const std::optional<State> clear = clear_start(there, *system);
   if (!clear) {
     why_ = "the motion would start beyond a stop";
     return nullptr;

@@ -193,7 +193,8 @@ class OrbitTracer {
   // Orbits at one value; random guesses, and on rigid stops the simulation for orbits of one
   // impact, are used at the first value only.
   std::optional<FoundOrbits> orbits_at(double value, FinderOptions finder, bool first) const {
-    const std::optional<System> system = family_.at(value);
+    const std::optional<Scene> scene = family_.scene_at(value);
+    const std::optional<System> system = scene ? family_.system_of(*scene) : std::nullopt;
     if (!system) return {};
     finder.period = options_.period;
     finder.impacts = options_.impacts;
@@ -207,8 +208,7 @@ class OrbitTracer {
                    (options_.impacts == 1 && finder.from_closed_form && has_closed_forms(*system))))
       finder.from_random = false;
     std::optional<State> start;
-    if (first || options_.impacts > 1 || followed_)
-      start = clear_start(*family_.scene_at(value), *system);
+    if (first || options_.impacts > 1 || followed_) start = clear_start(*scene, *system);
     finder.closure_speed = closure_speed_;
     return find_orbits(*system, start, finder);
   }
@@ -245,9 +245,10 @@ class OrbitTracer {
   // Traces the branch of the orbit that sticks, where the motion from the scene's initial state
   // settles on one.
   void trace_sticking(double value) {
-    const std::optional<System> system = family_.at(value);
+    const std::optional<Scene> scene = family_.scene_at(value);
+    const std::optional<System> system = scene ? family_.system_of(*scene) : std::nullopt;
     if (!system) return;
-    if (const std::optional<State> start = clear_start(*family_.scene_at(value), *system))
+    if (const std::optional<State> start = clear_start(*scene, *system))
       trace_settled(value, *start, Wanted::kSticking);
   }
 

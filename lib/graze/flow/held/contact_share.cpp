@@ -35,4 +35,18 @@ Matrix contact_share_rate(const System& system, const System& tangent,
       .solve_columns(rows_rate.transpose() - acting_rate * contact_share(system, closed));
 }
 
+Matrix held_projection(const System& system, const std::vector<int>& closed) {
+  const Eigen::Index n = system.modes();
+  if (closed.empty()) return Matrix::Identity(n, n);
+  return Matrix::Identity(n, n) - directions_of(system, closed) * contact_share(system, closed);
+}
+
+Matrix held_projection_rate(const System& system, const System& tangent,
+                            const std::vector<int>& closed) {
+  const Eigen::Index n = system.modes();
+  if (closed.empty()) return Matrix::Zero(n, n);
+  return -directions_of(tangent, closed) * contact_share(system, closed) -
+         directions_of(system, closed) * contact_share_rate(system, tangent, closed);
+}
+
 }  // namespace graze

@@ -100,14 +100,8 @@ class ConstrainedGenerator {
  public:
   ConstrainedGenerator(const System& system, const System& tangent, const std::vector<int>& closed)
       : n_(system.modes()), rates_(system.omega.cwiseMax(system.forcing()->frequency)) {
-    Matrix projection = Matrix::Identity(n_, n_), projection_rate = Matrix::Zero(n_, n_);
-    if (!closed.empty()) {
-      const Matrix directions = directions_of(system, closed);
-      const Matrix share = contact_share(system, closed);
-      projection -= directions * share;
-      projection_rate = -directions_of(tangent, closed) * share -
-                        directions * contact_share_rate(system, tangent, closed);
-    }
+    const Matrix projection = held_projection(system, closed);
+    const Matrix projection_rate = held_projection_rate(system, tangent, closed);
     const Matrix forces = forces_of(system), forces_rate = forces_rate_of(system, tangent);
     generator_ = Matrix::Zero(size(), size());
     generator_.topRows(n_).middleCols(n_, n_) = rates_.asDiagonal();

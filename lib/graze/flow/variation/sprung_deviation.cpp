@@ -17,25 +17,12 @@ namespace {
 namespace odeint = boost::numeric::odeint;
 using step_walk::Sprung;
 
-// P = 1 - D (B^T D)^-1 B^T.
-Matrix projection(const System& system, const std::vector<int>& closed) {
-  const Eigen::Index n = system.modes();
-  return Matrix::Identity(n, n) - directions_of(system, closed) * contact_share(system, closed);
-}
-
-// Its derivative along the tangent.
-Matrix projection_rate(const System& system, const System& tangent,
-                       const std::vector<int>& closed) {
-  return -directions_of(tangent, closed) * contact_share(system, closed) -
-         directions_of(system, closed) * contact_share_rate(system, tangent, closed);
-}
-
 // The equations that the phase integrates, in all coordinates though stops hold the structure: q''
 // = P f. Returns nullopt when no stop is closed.
 std::optional<SprungSystem> constrained_system(const System& system, const SpringArc& phase) {
   if (phase.closed().empty()) return {};
   SprungSystem sprung = phase.equations;
-  const Matrix held = projection(system, phase.closed());
+  const Matrix held = held_projection(system, phase.closed());
   const Vector none = Vector::Zero(system.modes());
   sprung.stiffness = held * system.omega.cwiseAbs2().asDiagonal();
   sprung.damping = held * system.damping();
@@ -298,8 +285,8 @@ Deviations sprung_parameter_deviation(const System& system, const System& tangen
     return *closed;
   Source source{system, tangent, phase.springs().all()};
   if (!phase.closed().empty()) {
-    source.held = projection(system, phase.closed());
-    source.held_rate = projection_rate(system, tangent, phase.closed());
+    source.held = held_projection(system, phase.closed());
+    source.held_rate = held_projection_rate(system, tangent, phase.closed());
   }
   const std::optional<SprungSystem> held = constrained_system(system, phase);
   Varied varied(held ? *held : phase.equations, &source);

@@ -26,15 +26,14 @@ void describe_final(ResultVisitor& v, const SimulationRecord& record) {
     v.values({"forces", "N", "of each stop, closed or compressed; 0 where open"}, run.forces);
     if (const auto own =
             v.where(coordinates.size() > 0, "of masses, or of matrices in the scene")) {
-      const bool sees_all = coordinates.size() == 0;
+      const bool is_absent = coordinates.size() == 0;
       v.values({"displacement", "m", "of each"},
-               sees_all ? Vector() : Vector(coordinates * state.q));
-      v.values({"velocity", "m/s"}, sees_all ? Vector() : Vector(coordinates * state.qdot));
+               is_absent ? Vector() : Vector(coordinates * state.q));
+      v.values({"velocity", "m/s"}, is_absent ? Vector() : Vector(coordinates * state.qdot));
     }
     if (const auto probed = v.where(!record.probes.empty(), "with probes"))
-      v.values({"probes", "", "the value of each"}, record.probes, [&](const ProbeRow& probe) {
-        return probe.row.dot(probe.of_velocity ? run.final.qdot : run.final.q);
-      });
+      v.values({"probes", "", "the value of each"}, record.probes,
+               [&](const ProbeRow& probe) { return probe.value(run.final); });
     const auto some = v.where(turns, "with a hub");
     if (!some) return;
     v.field({"angle", "rad"}, hub.angle);

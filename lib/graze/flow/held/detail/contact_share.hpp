@@ -18,4 +18,11 @@ Matrix contact_share(const System& system, const std::vector<int>& closed);
 Matrix contact_share_rate(const System& system, const System& tangent,
                           const std::vector<int>& closed);
 
+// P = 1 - D (B^T D)^-1 B^T, by which closed stops leave P f of the free acceleration f; 1 without
+// any.
+Matrix held_projection(const System& system, const std::vector<int>& closed);
+// Its derivative along the system's tangent.
+Matrix held_projection_rate(const System& system, const System& tangent,
+                            const std::vector<int>& closed);
+
 }  // namespace graze

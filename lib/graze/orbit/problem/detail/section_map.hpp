@@ -102,12 +102,12 @@ class SectionMap {
   Deviations start_deviations(const System& system, const MotionState<double>& start,
                               const Chart& chart, bool moves) const;
 
-  SegmentOptions options_;
   // The matrix that x sees a state by; null: 1.
   const Matrix* own_coordinates(const System& system) const {
     return closed_.empty() ? system.coordinates() : nullptr;
   }
 
+  SegmentOptions options_;
   std::vector<int> closed_;
   Matrix basis_;  // U, N x (N - m)
   Vector unit_;   // of (y, y')
