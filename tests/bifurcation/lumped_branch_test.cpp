@@ -50,23 +50,40 @@ TEST(LumpedBranches, AreWhatRunsSettleOn) {
   expect_runs_settle_there(scene, "lumped.masses.2", 0.8, 1.2);
 }
 
-// Where the two arms of a hub are equal, a mode leaves the hub at rest and changes its sign.
+void expect_one_branch(const Scene& scene, const std::string& name, double from, double to,
+                       bool sticking = false) {
+  SCOPED_TRACE(name);
+  BranchOptions options;
+  options.from = from;
+  options.to = to;
+  const OrbitBranches result = sticking ? support::sticking_branches(scene, name, options)
+                                        : support::trace(scene, name, from, to, false);
+  ASSERT_EQ(result.branches.size(), 1u);
+  EXPECT_EQ(result.branches[0].points.front().value, from);
+  EXPECT_EQ(result.branches[0].points.back().value, to);
+}
+
+// Where the two arms of a hub are equal, a mode leaves the hub at rest and changes its sign. Orbits
+// of impacts, orbits that are followed because dashpots couple the modes, and orbits that stick.
 TEST(LumpedBranches, PassWhereAModeChangesItsSign) {
-  const Scene scene = parse_scene(
-      "[lumped]\nmasses = [1.0, 1.0, 1.0]\n"
-      "[[lumped.spring]]\nbetween = [0, 1]\nstiffness = 100\ndamping = 0.5\n"
-      "[[lumped.spring]]\nbetween = [1, 2]\nstiffness = 100\ndamping = 0.7\n"
-      "[[lumped.spring]]\nbetween = [1, 3]\nstiffness = 100\ndamping = 0.7\n"
-      "[forcing]\nmass = 1\namplitude = 5\nfrequency = 10\n"
-      "[[stop]]\nmass = 2\ngap = 0.01\nrestitution = 0.2\n",
-      "hub");
-  for (const auto& [name, from, to] : {std::tuple("lumped.spring.2.stiffness", 95.0, 106.0),
-                                       std::tuple("lumped.masses.2", 0.95, 1.05)}) {
-    const OrbitBranches result = support::trace(scene, name, from, to, false);
-    ASSERT_EQ(result.branches.size(), 1u) << name;
-    EXPECT_EQ(result.branches[0].points.front().value, from) << name;
-    EXPECT_EQ(result.branches[0].points.back().value, to) << name;
+  const std::vector<std::string> ratio{"damping.ratio=0.05"},
+      dashpots{"lumped.spring.1.damping=0.5", "lumped.spring.2.damping=0.7",
+               "lumped.spring.3.damping=0.7"};
+  for (const std::vector<std::string>& settings : {ratio, dashpots}) {
+    const Scene scene = support::reference_scene("lumped/hub", settings);
+    expect_one_branch(scene, "lumped.spring.2.stiffness", 95.0, 106.0);
+    expect_one_branch(scene, "lumped.masses.2", 0.95, 1.05);
   }
+  const Scene sticking = support::reference_scene("lumped/hub", {"damping.ratio=0.05", "forcing.frequency=3.0"});
+  expect_one_branch(sticking, "lumped.spring.2.stiffness", 95.0, 106.0, true);
+  expect_one_branch(sticking, "lumped.masses.2", 0.95, 1.05, true);
+}
+
+// Two frequencies that cross without meeting.
+TEST(LumpedBranches, PassWhereModesChangeTheirOrder) {
+  const Scene scene = support::reference_scene("lumped/apart");
+  expect_one_branch(scene, "lumped.spring.2.stiffness", 80.0, 140.0);
+  expect_one_branch(scene, "lumped.masses.1", 0.7, 1.2);
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ TEST(SpeedDependentRestitution, StartsAreOrbitsAlready) {
   for (const SpeedSurvey::Start& start : survey.starts) {
     const System system = *family.at(start.value);
     const ShootingProblem problem(pattern, motion_scale(system));
-    EXPECT_LE(problem.residual(system, problem.pack({start.point})).cwiseAbs().maxCoeff(), 1e-8)
+    EXPECT_LE(problem.residual(system, problem.pack(system, {start.point})).cwiseAbs().maxCoeff(), 1e-8)
         << start.value;
   }
 }

@@ -27,7 +27,7 @@ Orbit faster_closed_form_orbit(const System& system, int period = 1) {
   const ShootingProblem problem({period, {0}}, motion_scale(system));
   std::vector<Orbit> orbits;
   for (const ImpactPoint& point : answer.form->solutions(system.stops[0].gap))
-    orbits.push_back(make_orbit(system, problem, problem.pack({point})));
+    orbits.push_back(make_orbit(system, problem, problem.pack(system, {point})));
   EXPECT_EQ(orbits.size(), 2u);
   return orbits[0].impacts[0].speed > orbits[1].impacts[0].speed ? orbits[0] : orbits[1];
 }

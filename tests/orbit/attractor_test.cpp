@@ -29,7 +29,7 @@ std::optional<Orbit> settled_orbit(const System& system, const State& start) {
   const SettledMotion settled = settle(system, start, options);
   if (!settled.pattern) return {};
   const ShootingProblem problem(*settled.pattern, motion_scale(system));
-  const auto solution = newton(problem, system, problem.pack(settled.points));
+  const auto solution = newton(problem, system, problem.pack(system, settled.points));
   if (!solution) return {};
   const Orbit orbit = make_orbit(system, problem, solution->x);
   const auto shorter = repeated_pattern(orbit);
@@ -37,7 +37,7 @@ std::optional<Orbit> settled_orbit(const System& system, const State& start) {
   std::vector<ImpactPoint> points = orbit.points();
   points.resize(shorter->stops.size());
   const ShootingProblem part(*shorter, motion_scale(system));
-  const auto minimal = newton(part, system, part.pack(points));
+  const auto minimal = newton(part, system, part.pack(system, points));
   if (!minimal) return {};
   return make_orbit(system, part, minimal->x);
 }

@@ -41,7 +41,7 @@ ImpactPoint solution_of(const Case& c) {
 
 Orbit orbit_of(const Case& c, const ImpactPoint& point) {
   const ShootingProblem problem({c.period, {0}}, motion_scale(c.system));
-  return make_orbit(c.system, problem, problem.pack({point}));
+  return make_orbit(c.system, problem, problem.pack(c.system, {point}));
 }
 
 std::vector<Complex> reference_multipliers(const support::TableRow& row) {
@@ -90,7 +90,7 @@ TEST(ClosedForm, NewtonKeepsIt) {
     const Case c = case_of(row);
     SCOPED_TRACE(c.name);
     const ShootingProblem problem({c.period, {0}}, motion_scale(c.system));
-    const auto solution = newton(problem, c.system, problem.pack({solution_of(c)}));
+    const auto solution = newton(problem, c.system, problem.pack(c.system, {solution_of(c)}));
     ASSERT_TRUE(solution);
     EXPECT_LE(solution->residual, 1e-13);
     const ImpactPoint point = problem.unpack(c.system, solution->x).front();
@@ -148,7 +148,7 @@ TEST(ClosedForm, HoldsUnderAConstantLoad) {
       const ShootingProblem problem({1, {0}}, motion_scale(system));
       for (const ImpactPoint& point : answer.form->solutions(system.stops[0].gap)) {
         ++found;
-        EXPECT_LE(problem.residual(system, problem.pack({point})).cwiseAbs().maxCoeff(), 1e-11);
+        EXPECT_LE(problem.residual(system, problem.pack(system, {point})).cwiseAbs().maxCoeff(), 1e-11);
       }
     }
   }
@@ -274,7 +274,7 @@ TEST(ClosedForm, HoldsAtAndBesideConservativeMotion) {
     // I - E J is about `lost`: far enough from zero it is solved with, and eps is divided by it.
     const double tolerance = lost > 1e-6 ? 1e-15 / lost : 1e-12;
     for (const ImpactPoint& point : points)
-      EXPECT_LE(problem.residual(system, problem.pack({point})).cwiseAbs().maxCoeff(), tolerance);
+      EXPECT_LE(problem.residual(system, problem.pack(system, {point})).cwiseAbs().maxCoeff(), tolerance);
   }
 }
 
@@ -294,7 +294,7 @@ TEST(ClosedForm, HoldsForFourHundredModes) {
     ASSERT_TRUE(answer.form) << modes << ": " << answer.why_not;
     const ShootingProblem problem({1, {0}}, motion_scale(system));
     for (const ImpactPoint& point : answer.form->solutions(system.stops[0].gap))
-      EXPECT_LE(problem.residual(system, problem.pack({point})).cwiseAbs().maxCoeff(), 1e-12)
+      EXPECT_LE(problem.residual(system, problem.pack(system, {point})).cwiseAbs().maxCoeff(), 1e-12)
           << modes;
   }
 }

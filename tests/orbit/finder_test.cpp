@@ -54,7 +54,7 @@ TEST(Settled, OnADoubledOrbitWhereTheSimpleOneIsUnstable) {
   const System system = fruit_fly(2.7, 0.0);
   for (const ImpactPoint& exact : closed_form(system, 0, 1).form->solutions(0.0)) {
     const ShootingProblem problem({1, {0}}, motion_scale(system));
-    EXPECT_EQ(make_orbit(system, problem, problem.pack({exact})).stable, false);
+    EXPECT_EQ(make_orbit(system, problem, problem.pack(system, {exact})).stable, false);
   }
   const SettledMotion settled = settle(system, support::state_of({-1.0}, {0.0}));
   ASSERT_TRUE(settled.pattern) << settled.classification;
@@ -62,7 +62,7 @@ TEST(Settled, OnADoubledOrbitWhereTheSimpleOneIsUnstable) {
   ASSERT_EQ(settled.pattern->impacts(), 2);
   EXPECT_GT(std::abs(settled.points[0].before.qdot[0] - settled.points[1].before.qdot[0]), 1e-2);
   const ShootingProblem problem(*settled.pattern, motion_scale(system));
-  const auto solution = newton(problem, system, problem.pack(settled.points));
+  const auto solution = newton(problem, system, problem.pack(system, settled.points));
   ASSERT_TRUE(solution);
   const Orbit orbit = make_orbit(system, problem, solution->x);
   EXPECT_EQ(orbit.stable, true);

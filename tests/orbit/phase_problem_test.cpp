@@ -49,7 +49,7 @@ void expect_repetition(const System& system) {
       for (Eigen::Index i = 0; i < theta.size(); ++i)
         theta[i] = 0.7 + 1.3 * static_cast<double>(i) + 0.1 * static_cast<double>(i * i);
       const ShootingProblem shooting({period, stops}, scale);
-      const Vector r = shooting.residual(system, shooting.pack(phases.points(theta)));
+      const Vector r = shooting.residual(system, shooting.pack(system, phases.points(theta)));
       const Vector contact = phases.defect(theta);
       const Eigen::Index block = 2 * system.modes() + 1;
       // Tens of roundings, enlarged by the inverse of I - E: its smallest singular value is that of

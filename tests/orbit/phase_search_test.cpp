@@ -207,7 +207,7 @@ TEST(PhaseSearch, SolutionsSolveTheShootingEquations) {
   for (std::size_t i = 0; i < found.size(); ++i) {
     const PhaseProblem phases(*answer.response, found[i].pattern.stops, 1.0);
     const ShootingProblem problem(found[i].pattern, motion_scale(system));
-    const Vector x = problem.pack(phases.points(found[i].phases));
+    const Vector x = problem.pack(system, phases.points(found[i].phases));
     EXPECT_LE(problem.residual(system, x).cwiseAbs().maxCoeff(), 1e-9);
     EXPECT_GT(found[i].phases[1] - found[i].phases[0], 1e-6);
     EXPECT_LT(found[i].phases[1] - found[i].phases[0], 2.0 * kTurn - 1e-6);

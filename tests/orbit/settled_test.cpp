@@ -56,7 +56,7 @@ TEST(Settled, ASlowApproachIsFollowedToItsEnd) {
     const ShootingProblem problem({1, {0}}, motion_scale(system));
     for (const ImpactPoint& exact :
          closed_form(system, 0, 1).form->solutions(system.stops[0].gap)) {
-      const Orbit orbit = make_orbit(system, problem, problem.pack({exact}));
+      const Orbit orbit = make_orbit(system, problem, problem.pack(system, {exact}));
       if (orbit.stable != true || !orbit.admissible) continue;
       const double slowest = std::abs(orbit.multipliers.front().value);
       State start = half_way(system, exact);
@@ -104,7 +104,7 @@ std::vector<NearFlip> motions_near_flip() {
     const System system = support::forced_oscillator(1.0, 0.05, 0.0, 0.8, frequency, 1.0);
     const ShootingProblem problem({1, {0}}, motion_scale(system));
     for (const ImpactPoint& exact : closed_form(system, 0, 1).form->solutions(0.0)) {
-      const Orbit orbit = make_orbit(system, problem, problem.pack({exact}));
+      const Orbit orbit = make_orbit(system, problem, problem.pack(system, {exact}));
       if (orbit.stable != true || !orbit.admissible) continue;
       System shifted = system;
       State start = half_way(shifted, exact);
@@ -135,7 +135,7 @@ TEST(Settled, AnUnstableOrbitIsNoPlaceToSettle) {
   const ShootingProblem problem({1, {0}}, motion_scale(system));
   int met = 0;
   for (const ImpactPoint& exact : closed_form(system, 0, 1).form->solutions(0.0)) {
-    const Orbit orbit = make_orbit(system, problem, problem.pack({exact}));
+    const Orbit orbit = make_orbit(system, problem, problem.pack(system, {exact}));
     if (!orbit.admissible) continue;
     ++met;
     EXPECT_EQ(orbit.stable, false);

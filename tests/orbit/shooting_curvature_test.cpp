@@ -120,6 +120,13 @@ TEST(ShootingCurvature, WithGravityAndRestitutionThatFallsWithTheSpeed) {
       {"stop.position=0.28", "gravity.acceleration=9.81", "stop.restitution=[0.85, 0.05, 0.004]"}));
 }
 
+TEST(ShootingCurvature, OfMassesAndSprings) {
+  for (const char* arm : {"1.0", "0.8"})
+    expect_curvatures(support::reference_scene(
+        "lumped/hub", {"damping.ratio=0.05", std::string("lumped.masses.2=") + arm}));
+  expect_curvature(support::reference_scene("lumped/apart"), {1, {0}});
+}
+
 TEST(ShootingCurvature, AtResonance) {
   expect_curvature(support::reference_scene("orbits/sdof_1_6", {"forcing.frequency=1.0",
                                                                 "modal.damping_ratios=[0.0005]"}),

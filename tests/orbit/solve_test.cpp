@@ -57,7 +57,7 @@ TEST(Solve, SeekBringsInEveryRoughGuess) {
     const System system = reference_system(name);
     const ShootingProblem problem({1, {0}}, motion_scale(system));
     for (const ImpactPoint& guess : grid_of_guesses(system)) {
-      const auto solution = seek(problem, system, problem.pack({guess}));
+      const auto solution = seek(problem, system, problem.pack(system, {guess}));
       ASSERT_TRUE(solution) << guess.theta;
       EXPECT_LE(solution->residual, kShootingTolerance);
       EXPECT_LE(distance_to_closed_form(system, problem.unpack(system, solution->x).front()),
@@ -77,8 +77,8 @@ TEST(Solve, SeekSucceedsBesideAFoldWhereNewtonFails) {
     system.stops[0].gap = fold * (1.0 - 1e-10);
     const ShootingProblem problem({1, {0}}, motion_scale(system));
     for (const ImpactPoint& guess : grid_of_guesses(system)) {
-      EXPECT_FALSE(newton(problem, system, problem.pack({guess}))) << guess.theta;
-      const auto solution = seek(problem, system, problem.pack({guess}));
+      EXPECT_FALSE(newton(problem, system, problem.pack(system, {guess}))) << guess.theta;
+      const auto solution = seek(problem, system, problem.pack(system, {guess}));
       ASSERT_TRUE(solution) << guess.theta;
       // The smallest singular value of the equations is 2e-7 here: some roundings of 2e-15, of the
       // solution and of the closed form, become some 1e-8. What solve.hpp promises is 1e-7.
@@ -98,8 +98,8 @@ TEST(Solve, NothingJustPastAFold) {
       system.stops[0].gap = fold * (1.0 + past);
       const ShootingProblem problem({1, {0}}, motion_scale(system));
       for (const ImpactPoint& guess : grid_of_guesses(system)) {
-        EXPECT_FALSE(newton(problem, system, problem.pack({guess}))) << past;
-        EXPECT_FALSE(seek(problem, system, problem.pack({guess}))) << past;
+        EXPECT_FALSE(newton(problem, system, problem.pack(system, {guess}))) << past;
+        EXPECT_FALSE(seek(problem, system, problem.pack(system, {guess}))) << past;
       }
     }
   }
@@ -117,7 +117,7 @@ TEST(Solve, SeekSucceedsForTwoImpactsWhereNewtonFails) {
                             {4, 2, 2}, {5, 1, 2}, {8, 3, 1}, {8, 4, 0}};
   for (const auto& [i, j, k] : guesses) {
     const double theta = kTurn * i / 12.0, speed = 0.25 * unit * (1 << k);
-    const Vector x = problem.pack({rough_guess(system, 0, theta, speed),
+    const Vector x = problem.pack(system, {rough_guess(system, 0, theta, speed),
                                    rough_guess(system, 0, theta + 2.0 * kTurn * j / 7.0, speed)});
     EXPECT_FALSE(newton(problem, system, x)) << i << " " << j << " " << k;
     const auto solution = seek(problem, system, x);

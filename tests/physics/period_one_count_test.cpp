@@ -20,7 +20,7 @@ bool has_stable_orbit(const System& system) {
   if (!answer.form) return false;
   const ShootingProblem problem({1, {0}}, motion_scale(system));
   for (const ImpactPoint& point : answer.form->solutions(system.stops[0].gap)) {
-    const Orbit orbit = make_orbit(system, problem, problem.pack({point}));
+    const Orbit orbit = make_orbit(system, problem, problem.pack(system, {point}));
     if (orbit.admissible && orbit.stable.value_or(false)) return true;
   }
   return false;

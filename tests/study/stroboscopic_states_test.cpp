@@ -26,7 +26,7 @@ TEST(StroboscopicStates, AreWhatTheSettledMotionShows) {
     const SettledMotion settled = settle(system, initial_state(scene, system), options);
     ASSERT_EQ(settled.kind, SettledKind::kImpacts) << settled.classification;
     const ShootingProblem problem(*settled.pattern, motion_scale(system));
-    const Orbit orbit = make_orbit(system, problem, problem.pack(settled.points));
+    const Orbit orbit = make_orbit(system, problem, problem.pack(system, settled.points));
     const std::vector<State> states = stroboscopic_states(system, orbit);
     ASSERT_EQ(states.size(), settled.period_states.size());
     // The orbit may be listed from another of its periods on.

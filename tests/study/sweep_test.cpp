@@ -19,6 +19,8 @@
 #include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
 #include "graze/system/scale.hpp"
+#include "support/reference.hpp"
+#include "support/systems.hpp"
 
 namespace graze {
 namespace {
@@ -55,7 +57,7 @@ double distance_from_closed_form(const SystemFamily& family, const SweepRow& row
   double least = 1.0;
   const ShootingProblem problem({row.motion.period, {impact.stop}}, motion_scale(system));
   for (const ImpactPoint& exact : answer.form->solutions(system.stops[0].gap)) {
-    const Orbit orbit = make_orbit(system, problem, problem.pack({exact}));
+    const Orbit orbit = make_orbit(system, problem, problem.pack(system, {exact}));
     if (orbit.stable != true || !orbit.admissible) continue;
     const double speed = system.stops[0].row.dot(exact.before.qdot);
     const double phase = std::abs(std::remainder(impact.phase - exact.theta, kTurn));
@@ -343,6 +345,18 @@ TEST(Sweep, ValuesReachBothEndsExactly) {
   const SweepOptions options = over(0.1, 0.7, 7);
   EXPECT_EQ(sweep_value(options, 0), 0.1);
   EXPECT_EQ(sweep_value(options, 6), 0.7);
+}
+
+// Beside equal arms of the hub a mode has another sign: what is handed on is where the masses are.
+TEST(Sweep, HandsOnDisplacementsOfMasses) {
+  const SystemFamily family(support::reference_scene("lumped/hub", {"damping.ratio=0.05"}),
+                            "lumped.masses.2");
+  const System from = *family.at(1.0 - 1e-6), to = *family.at(1.0 + 1e-6);
+  ASSERT_GT((*to.coordinates() - *from.coordinates()).norm(), 1.0);
+  const State end = support::state_of({0.004, -0.02, 0.01}, {0.3, 0.1, -0.2});
+  const State start = handed_on(from, to, end);
+  EXPECT_LT((*to.coordinates() * start.q - *from.coordinates() * end.q).norm(), 1e-15);
+  EXPECT_LT((*to.coordinates() * start.qdot - *from.coordinates() * end.qdot).norm(), 1e-14);
 }
 
 }  // namespace

@@ -29,16 +29,11 @@ std::optional<OrbitCurve::Condition> FlightGrazing::speed(const Vector& y, doubl
   if (!system) return {};
   const std::vector<const System*> tangents = flights_.tangents_at(values);
   if (tangents.size() < 2) return {};
-  const ShootingProblem& shooting = flights_.shooting();
-  const Eigen::Index n = problem_.first, modes = system->modes();
-  const Eigen::Index first = static_cast<Eigen::Index>(grazing_) * (2 * modes + 1) + 1 + modes;
-  const auto stop = static_cast<std::size_t>(shooting.pattern().stops[grazing_]);
-  const Vector units = shooting.scale().velocity / shooting.scale().speed;
-  const Vector qdot = y.segment(first, modes).cwiseProduct(units);
-  const Vector& row = system->stops[stop].row;
-  Condition condition{row.dot(qdot), Vector::Zero(n + 1), tangents[1]->stops[stop].row.dot(qdot)};
-  condition.slope.segment(first, modes) = row.cwiseProduct(units);
-  condition.slope[n] = tangents[0]->stops[stop].row.dot(qdot) * unit_;
+  const Eigen::Index n = problem_.first;
+  const ShootingProblem::ImpactSpeed speed =
+      flights_.shooting().speed_of(*system, y.head(n), grazing_, tangents);
+  Condition condition{speed.value, Vector(n + 1), speed.by_parameters[1]};
+  condition.slope << speed.by_x, speed.by_parameters[0] * unit_;
   return condition;
 }
 

@@ -100,7 +100,7 @@ std::vector<OrbitProblems::Written> LocusTracer::written(const OrbitLocusStart& 
     orbit.section->closure_speed = *closure_speed_;
     return problems_.written(orbit, std::array{start.first, start.second});
   }
-  return problems_.rewritings(start.orbit.pattern, start.orbit.impacts);
+  return problems_.rewritings(start.orbit.pattern, start.orbit.impacts, place_of(start));
 }
 
 LocusTracer::Critical& LocusTracer::critical_of(const LaidOrbits& orbits) {
@@ -220,7 +220,9 @@ LocusTracer::CurveStart LocusTracer::flight_grazing(const OrbitLocusStart& start
   Curves& curves = curves_[{orbits.problem.get(), 0}];
   if (!curves.curve)
     curves.curve = std::make_unique<FlightGrazing>(flights, 0, first_range(options_));
-  const Vector u = flights.shooting().pack(start.orbit.impacts);
+  const System* system = flights.system_at(place_of(start));
+  if (!system) return {};
+  const Vector u = flights.shooting().pack(*system, start.orbit.impacts);
   Vector y(u.size() + 1);
   y << u, start.first / first_range(options_);
   return {&curves, y};

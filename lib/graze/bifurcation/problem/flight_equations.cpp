@@ -118,7 +118,7 @@ std::vector<SolutionPoint> FlightEquations::rewritings(const OrbitProblem& of,
   if (&of != this || !system_at(solution.parameters())) return list;
   for (const std::vector<ImpactPoint>& impacts : graze::rewritings(pattern(), points(solution))) {
     list.push_back(solution);
-    list.back().u = shooting_.pack(impacts);
+    list.back().u = shooting_.pack(*system_at(solution.parameters()), impacts);
   }
   return list;
 }

@@ -67,7 +67,8 @@ BranchCollector::BranchCollector(const SystemFamily& family, const BranchOptions
 bool BranchCollector::trace_from(const ImpactPattern& pattern,
                                  const std::vector<ImpactPoint>& impacts, double value) {
   ++result_.starts;
-  return trace_written(problems_.written(pattern, impacts), value, {});
+  const std::vector<Written> ways = problems_.written(pattern, impacts, std::span(&value, 1));
+  return !ways.empty() && trace_written(ways.front(), value, {});
 }
 
 bool BranchCollector::trace_from(const Orbit& orbit, double value) {
@@ -133,7 +134,7 @@ std::vector<BranchCollector::Written> BranchCollector::written(const SpecialOrbi
   }
   if (!at.followed) {
     const GrazingOrbit orbit = orbit_at(*system, at);
-    return {problems_.written(orbit.pattern, orbit.impacts)};
+    return problems_.written(orbit.pattern, orbit.impacts, std::span(&value, 1));
   }
   const FollowedAnswer answer = orbit_again(*system, at, segment_options(options_));
   if (!answer.orbit) notes_.insert(answer.why_not);
@@ -147,7 +148,8 @@ std::optional<SolutionPoint> BranchCollector::solution_at(const Written& written
   Vector along;
   if (start.same_parameter && start.at.along) {
     const Vector rate =
-        ShootingProblem(start.at.pattern, result_.scale).pack(start.at.along->impacts);
+        ShootingProblem(start.at.pattern, result_.scale)
+            .pack(*(*written.orbits)->system_at(std::span(&value, 1)), start.at.along->impacts);
     along.resize(rate.size() + 1);
     along << rate, start.at.along->value / std::abs(options_.to - options_.from);
     along.normalize();

@@ -40,26 +40,29 @@ LaidOrbits& OrbitProblems::response() {
               [&] { return std::make_unique<ResponseEquations>(scene_, parameters_, scale_); });
 }
 
-OrbitProblems::Written OrbitProblems::written(const ImpactPattern& pattern,
-                                              const std::vector<ImpactPoint>& impacts) {
-  const ImpactPattern order = canonical(pattern);
-  return {&flights(order),
-          ShootingProblem(order, scale_).pack(in_canonical_order(pattern, impacts))};
+std::vector<OrbitProblems::Written> OrbitProblems::written(const ImpactPattern& pattern,
+                                                           const std::vector<ImpactPoint>& impacts,
+                                                           Parameters at) {
+  std::vector<Written> list = rewritings(pattern, impacts, at);
+  if (!list.empty()) list.resize(1);
+  return list;
 }
 
 std::vector<OrbitProblems::Written> OrbitProblems::rewritings(
-    const ImpactPattern& pattern, const std::vector<ImpactPoint>& impacts) {
+    const ImpactPattern& pattern, const std::vector<ImpactPoint>& impacts, Parameters at) {
+  const System* system = systems_.at(at);
+  if (!system) return {};
   const ImpactPattern order = canonical(pattern);
   LaidOrbits& orbits = flights(order);
   std::vector<Written> list;
   for (const std::vector<ImpactPoint>& same :
        graze::rewritings(order, in_canonical_order(pattern, impacts)))
-    list.push_back({&orbits, ShootingProblem(order, scale_).pack(same)});
+    list.push_back({&orbits, ShootingProblem(order, scale_).pack(*system, same)});
   return list;
 }
 
 std::vector<OrbitProblems::Written> OrbitProblems::written(const Orbit& orbit, Parameters at) {
-  if (!orbit.section) return {written(orbit.pattern(), orbit.points())};
+  if (!orbit.section) return written(orbit.pattern(), orbit.points(), at);
   const System* system = systems_.at(at);
   if (!system) return {};
   SegmentOptions segment = segment_;

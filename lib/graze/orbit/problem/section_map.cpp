@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "graze/base/angle.hpp"
+#include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/base/linalg/detail/linear_equations.hpp"
 #include "graze/flow/held/detail/contact_share.hpp"
 #include "graze/system/detail/gap_value.hpp"
@@ -82,21 +83,24 @@ SectionMap::SectionMap(const System& reference, std::vector<int> closed,
     basis_ = held.basis;
     speeds = scale.displacement * held.reduced.omega.cwiseMax(reference.forcing()->frequency);
   }
-  unit_.resize(2 * basis_.cols());
-  if (own_coordinates(reference))
-    unit_ << Vector::Constant(n, scale.length), Vector::Constant(n, scale.speed);
-  else
-    unit_ << Vector::Constant(basis_.cols(), scale.displacement), speeds;
+  const Eigen::Index m = basis_.cols();
+  unit_.resize(2 * m);
+  if (const Matrix* own = reference.coordinates()) {
+    basis_ = closed_.empty() ? basis_ : orthonormal_columns<double>(*own * basis_, m);
+    unit_ << Vector::Constant(m, scale.length), Vector::Constant(m, scale.speed);
+  } else {
+    unit_ << Vector::Constant(m, scale.displacement), speeds;
+  }
 }
 
 Matrix SectionMap::seen(const System& system, const Matrix& q, const Matrix& qdot) const {
   Matrix coordinates(size(), q.cols());
-  if (const Matrix* own = own_coordinates(system))
-    coordinates << *own * q, *own * qdot;
-  else if (closed_.empty())
+  if (closed_.empty() && !system.coordinates()) {
     coordinates << q, qdot;
-  else
-    coordinates << basis_.transpose() * q, basis_.transpose() * qdot;
+  } else {
+    const Matrix own = seen_by(system);
+    coordinates << own * q, own * qdot;
+  }
   return unit_.cwiseInverse().asDiagonal() * coordinates;
 }
 
@@ -107,51 +111,52 @@ Vector SectionMap::pack(const System& system, const State& state) const {
 Vector SectionMap::pack_rate(const System& system, const System& tangent, const State& at,
                              const State& moved) const {
   const Vector rate = pack(system, moved);
-  return own_coordinates(tangent) ? Vector(rate + pack(tangent, at)) : rate;
+  return tangent.coordinates() ? Vector(rate + pack(tangent, at)) : rate;
 }
 
 std::optional<SectionMap::Chart> SectionMap::chart_at(const System& system, const Vector& x) const {
   if (!x.allFinite()) return {};
   const Eigen::Index n = system.modes(), m = basis_.cols(), k = n - m;
   const Vector coordinates = x.cwiseProduct(unit_);
-  if (const Matrix* own = own_coordinates(system)) {
-    const Matrix modal = LuFactors(*own).solve_columns(basis_);
-    return Chart{{modal * coordinates.head(n), modal * coordinates.tail(n)}, modal};
-  }
-  if (k == 0) return Chart{{coordinates.head(n), coordinates.tail(n)}, basis_};
-  Matrix whole(n, n);
-  whole << rows_of(system, closed_), basis_;
+  if (k == 0 && !system.coordinates())
+    return Chart{{coordinates.head(n), coordinates.tail(n)}, basis_};
   Matrix right = Matrix::Zero(n, 2 + m);
   for (Eigen::Index a = 0; a < k; ++a)
     right(a, 0) = system.stops[static_cast<std::size_t>(closed_[static_cast<std::size_t>(a)])].gap;
   right.col(0).tail(m) = coordinates.head(m);
   right.col(1).tail(m) = coordinates.tail(m);
   right.bottomRightCorner(m, m).setIdentity();
-  const Matrix solution = LuFactors(whole.transpose()).solve_columns(right);
+  const Matrix solution = LuFactors(determining(system)).solve_columns(right);
   if (!solution.allFinite()) return {};
   return Chart{{solution.col(0), solution.col(1)}, solution.rightCols(m)};
 }
 
-// B^T dq = da - dB^T q, U^T dq = 0; likewise for the velocity.
+// B^T dq = da - dB^T q, U^T T dq = -U^T dT q; likewise for the velocity.
 State SectionMap::chart_rate(const System& system, const System& tangent, const State& at) const {
   const Eigen::Index n = at.q.size(), k = n - basis_.cols();
-  if (const Matrix* rate = own_coordinates(tangent)) {
-    Matrix turned(n, 2);
-    turned << *rate * at.q, *rate * at.qdot;
-    const Matrix moved = LuFactors(*system.coordinates()).solve_columns(turned);
-    return {-moved.col(0), -moved.col(1)};
-  }
-  if (k == 0) return {Vector::Zero(n), Vector::Zero(n)};
-  const Matrix rows_rate = rows_of(tangent, closed_);
-  Matrix whole(n, n), right = Matrix::Zero(n, 2);
-  whole << rows_of(system, closed_), basis_;
-  right.col(0).head(k) = -rows_rate.transpose() * at.q;
-  right.col(1).head(k) = -rows_rate.transpose() * at.qdot;
+  if (k == 0 && !tangent.coordinates()) return {Vector::Zero(n), Vector::Zero(n)};
+  Matrix state(n, 2), right = Matrix::Zero(n, 2);
+  state << at.q, at.qdot;
+  if (k > 0) right.topRows(k) = -rows_of(tangent, closed_).transpose() * state;
   for (Eigen::Index a = 0; a < k; ++a)
     right(a, 0) +=
         tangent.stops[static_cast<std::size_t>(closed_[static_cast<std::size_t>(a)])].gap;
-  const Matrix moved = LuFactors(whole.transpose()).solve_columns(right);
+  if (tangent.coordinates()) right.bottomRows(n - k) = -seen_by(tangent) * state;
+  const Matrix moved = LuFactors(determining(system)).solve_columns(right);
   return {moved.col(0), moved.col(1)};
+}
+
+Matrix SectionMap::seen_by(const System& system) const {
+  const Matrix* own = system.coordinates();
+  return own ? Matrix(basis_.transpose() * *own) : Matrix(basis_.transpose());
+}
+
+Matrix SectionMap::determining(const System& system) const {
+  const Eigen::Index n = system.modes(), m = basis_.cols();
+  Matrix whole(n, n);
+  if (m < n) whole.topRows(n - m) = rows_of(system, closed_).transpose();
+  whole.bottomRows(m) = seen_by(system);
+  return whole;
 }
 
 std::optional<MotionState<double>> SectionMap::start_of(const System& system, const Vector& x,

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "graze/base/angle.hpp"
+#include "graze/orbit/problem/detail/impact_coordinates.hpp"
 #include "graze/system/scale.hpp"
 
 namespace graze {
@@ -64,7 +65,7 @@ Vector ShootingProblem::wrap() const {
   return turns;
 }
 
-Vector ShootingProblem::pack(const std::vector<ImpactPoint>& impacts) const {
+Vector ShootingProblem::pack(const System& system, const std::vector<ImpactPoint>& impacts) const {
   const Eigen::Index n = impacts.front().before.q.size();
   Vector x(static_cast<Eigen::Index>(impacts.size()) * (2 * n + 1));
   Eigen::Index at = 0;
@@ -74,16 +75,18 @@ Vector ShootingProblem::pack(const std::vector<ImpactPoint>& impacts) const {
     x.segment(at + 1 + n, n) = impact.before.qdot.cwiseQuotient(scale_.velocity);
     at += 2 * n + 1;
   }
-  return x;
+  return system.coordinates() ? ImpactCoordinates(*system.coordinates(), scale_).turned(x) : x;
 }
 
 std::vector<ImpactPoint> ShootingProblem::unpack(const System& system, const Vector& x) const {
   const Eigen::Index n = system.modes();
+  const Vector y =
+      system.coordinates() ? ImpactCoordinates(*system.coordinates(), scale_).back(x) : x;
   std::vector<ImpactPoint> impacts;
-  for (Eigen::Index at = 0; at < x.size(); at += 2 * n + 1)
-    impacts.push_back({x[at],
-                       {x.segment(at + 1, n) * scale_.displacement,
-                        x.segment(at + 1 + n, n).cwiseProduct(scale_.velocity)}});
+  for (Eigen::Index at = 0; at < y.size(); at += 2 * n + 1)
+    impacts.push_back({y[at],
+                       {y.segment(at + 1, n) * scale_.displacement,
+                        y.segment(at + 1 + n, n).cwiseProduct(scale_.velocity)}});
   return impacts;
 }
 
@@ -119,15 +122,59 @@ void ShootingProblem::add_end(const System& system, const ModeTransition& arc, E
 }
 
 Vector ShootingProblem::residual(const System& system, const Vector& x, Matrix* jacobian) const {
-  return evaluate(system, x, {.jacobian = jacobian});
+  if (!system.coordinates()) return evaluate(system, x, {.jacobian = jacobian});
+  ShootingLinearisation at = linearise(system, x, {});
+  if (jacobian) *jacobian = std::move(at.jacobian);
+  return std::move(at.residual);
 }
 
 ShootingLinearisation ShootingProblem::linearise(const System& system, const Vector& x,
                                                  std::span<const System* const> tangents) const {
-  ShootingLinearisation at;
-  at.by_parameters.resize(x.size(), static_cast<Eigen::Index>(tangents.size()));
-  at.residual = evaluate(system, x, {&at.jacobian, &at.closing, tangents, &at.by_parameters});
+  if (!system.coordinates()) return modal_equations(system, x, tangents);
+  const ImpactCoordinates coordinates(*system.coordinates(), scale_);
+  const Vector y = coordinates.back(x);
+  ShootingLinearisation at = modal_equations(system, y, tangents);
+  for (std::size_t p = 0; p < tangents.size(); ++p) {
+    const auto column = static_cast<Eigen::Index>(p);
+    const Vector moved = coordinates.back(coordinates.rate(*tangents[p], y));
+    const Vector rates = at.by_parameters.col(column) - at.jacobian * moved;
+    at.by_parameters.col(column) =
+        coordinates.turned(rates) + coordinates.rate(*tangents[p], at.residual);
+  }
+  at.jacobian = coordinates.similar(at.jacobian);
+  at.closing = coordinates.similar(at.closing);
+  at.residual = coordinates.turned(at.residual);
   return at;
+}
+
+ShootingLinearisation ShootingProblem::modal_equations(
+    const System& system, const Vector& y, std::span<const System* const> tangents) const {
+  ShootingLinearisation at;
+  at.by_parameters.resize(y.size(), static_cast<Eigen::Index>(tangents.size()));
+  at.residual = evaluate(system, y, {&at.jacobian, &at.closing, tangents, &at.by_parameters});
+  return at;
+}
+
+ShootingProblem::ImpactSpeed ShootingProblem::speed_of(
+    const System& system, const Vector& x, std::size_t impact,
+    std::span<const System* const> tangents) const {
+  const auto which = static_cast<std::size_t>(pattern_.stops[impact]);
+  const Vector qdot = unpack(system, x)[impact].before.qdot, units = scale_.velocity / scale_.speed;
+  const Eigen::Index n = system.modes(), first = static_cast<Eigen::Index>(impact) * (2 * n + 1);
+  ImpactSpeed speed{system.stops[which].row.dot(qdot) / scale_.speed, Vector::Zero(x.size()),
+                    Vector(static_cast<Eigen::Index>(tangents.size()))};
+  speed.by_x.segment(first + 1 + n, n) = system.stops[which].row.cwiseProduct(units);
+  for (std::size_t p = 0; p < tangents.size(); ++p)
+    speed.by_parameters[static_cast<Eigen::Index>(p)] =
+        tangents[p]->stops[which].row.dot(qdot) / scale_.speed;
+  if (!system.coordinates()) return speed;
+  const ImpactCoordinates coordinates(*system.coordinates(), scale_);
+  const Vector y = coordinates.back(x);
+  speed.by_x = coordinates.back_covector(speed.by_x);
+  for (std::size_t p = 0; p < tangents.size(); ++p)
+    speed.by_parameters[static_cast<Eigen::Index>(p)] -=
+        speed.by_x.dot(coordinates.rate(*tangents[p], y));
+  return speed;
 }
 
 Vector ShootingProblem::evaluate(const System& system, const Vector& x,

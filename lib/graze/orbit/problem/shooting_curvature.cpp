@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "graze/base/angle.hpp"
+#include "graze/orbit/problem/detail/impact_coordinates.hpp"
 
 namespace graze {
 namespace {
@@ -217,18 +218,47 @@ class Curvature {
   Column gradient_;
 };
 
+template <class Column>
+Column curvature(const ShootingProblem& problem, const System& system, const Vector& x,
+                 std::span<const System* const> tangents, const Column& w, const Column& v,
+                 typename Column::Scalar mu) {
+  using Modal = Curvature<typename Column::Scalar>;
+  if (!system.coordinates()) return Modal(problem, system, x, tangents, w, v, mu).gradient();
+  // w^T T A T^-1 v, A the matrix of the modal equations.
+  const ImpactCoordinates coordinates(*system.coordinates(), problem.scale());
+  const Vector y = coordinates.back(x);
+  const Column left = coordinates.turned_covector(w), right = coordinates.back(v);
+  Column gradient = Modal(problem, system, y, tangents, left, right, mu).gradient();
+  const Column by_y = gradient.head(x.size());
+  const ShootingLinearisation at = problem.modal_equations(system, y, {});
+  const auto image = [&](const Column& of) -> Column {
+    return at.jacobian * of + (mu - 1.0) * (at.closing * of);
+  };
+  gradient.head(x.size()) = coordinates.back_covector(by_y);
+  const auto dot = [](const auto& a, const auto& b) { return a.cwiseProduct(b).sum(); };
+  for (std::size_t p = 0; p < tangents.size(); ++p) {
+    const System& tangent = *tangents[p];
+    const Vector moved = coordinates.back(coordinates.rate(tangent, y));
+    const Column turned = coordinates.back(coordinates.rate(tangent, right));
+    gradient[x.size() + static_cast<Eigen::Index>(p)] +=
+        dot(w, coordinates.rate(tangent, image(right))) - dot(left, image(turned)) -
+        dot(by_y, moved);
+  }
+  return gradient;
+}
+
 }  // namespace
 
 Vector shooting_curvature(const ShootingProblem& problem, const System& system, const Vector& x,
                           std::span<const System* const> tangents, const Vector& w, const Vector& v,
                           double mu) {
-  return Curvature<double>(problem, system, x, tangents, w, v, mu).gradient();
+  return curvature(problem, system, x, tangents, w, v, mu);
 }
 
 ComplexVector shooting_curvature(const ShootingProblem& problem, const System& system,
                                  const Vector& x, std::span<const System* const> tangents,
                                  const ComplexVector& w, const ComplexVector& v, Complex mu) {
-  return Curvature<Complex>(problem, system, x, tangents, w, v, mu).gradient();
+  return curvature(problem, system, x, tangents, w, v, mu);
 }
 
 }  // namespace graze

@@ -87,7 +87,7 @@ class Finder {
       const ShootingProblem problem({options_.period, {static_cast<int>(i)}}, scale_);
       for (const ImpactPoint& point : answer.form->solutions(system_.stops[i].gap)) {
         if (options_.stop.requested()) return;
-        keep(problem, newton(problem, system_, problem.pack({point})), found_.closed_form);
+        keep(problem, newton(problem, system_, problem.pack(system_, {point})), found_.closed_form);
       }
     }
   }
@@ -290,7 +290,7 @@ class Finder {
     std::vector<Vector> from;
     for (const std::vector<ImpactPoint>& points :
          rough_guesses(system_, pattern, guesses, speed_scale(), options_.random_seed))
-      from.push_back(problem.pack(points));
+      from.push_back(problem.pack(system_, points));
     std::vector<std::optional<ShootingSolution>> solutions(from.size());
     for_each_index(from.size(), options_.threads, [&](std::size_t i) {
       if (!options_.stop.requested()) solutions[i] = seek(problem, system_, from[i]);

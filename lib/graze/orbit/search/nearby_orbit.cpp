@@ -24,7 +24,7 @@ std::optional<NearbyOrbit> nearby_orbit(const System& system, const ImpactPatter
                                         const std::vector<ImpactPoint>& points) {
   const ShootingProblem problem(pattern, motion_scale(system));
   if (problem.size(system) > kMostDenseUnknowns) return {};
-  const auto solution = newton(problem, system, problem.pack(points));
+  const auto solution = newton(problem, system, problem.pack(system, points));
   if (!solution) return {};
   NearbyOrbit orbit{pattern, problem.unpack(system, solution->x), {}};
   if (!(distance(system, motion_scale(system), orbit, points) <= kNearMotion)) return {};

@@ -115,8 +115,8 @@ std::optional<Orbit> PhaseJudge::orbit_of(const PhaseSolution& solution) const {
   const std::vector<ImpactPoint> points = phases.points(solution.phases);
   if (!keep_virtual_ && surely_virtual(solution, points)) return orbit;
   const ShootingProblem problem(solution.pattern, scale_);
-  std::optional<ShootingSolution> polished = newton(problem, system_, problem.pack(points));
-  if (!polished) polished = seek(problem, system_, problem.pack(points));
+  std::optional<ShootingSolution> polished = newton(problem, system_, problem.pack(system_, points));
+  if (!polished) polished = seek(problem, system_, problem.pack(system_, points));
   if (!polished) return {};
   orbit = make_orbit(system_, problem, polished->x);
   if (repeated_pattern(orbit)) return {};

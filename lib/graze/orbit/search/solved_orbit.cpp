@@ -25,7 +25,7 @@ std::optional<Orbit> minimal_orbit(const System& system, const ShootingProblem& 
   const ShootingProblem part(*shorter, problem.scale());
   std::vector<ImpactPoint> points = orbit.points();
   points.resize(shorter->stops.size());
-  const auto minimal = newton(part, system, part.pack(points));
+  const auto minimal = newton(part, system, part.pack(system, points));
   if (!minimal) return {};
   return make_orbit(system, part, minimal->x);
 }
@@ -34,7 +34,7 @@ std::optional<Orbit> orbit_near(const System& system, const ImpactPattern& patte
                                 const std::vector<ImpactPoint>& points) {
   if (!system.has_modal_flights()) return {};
   const ShootingProblem problem(pattern, motion_scale(system));
-  const auto solution = newton(problem, system, problem.pack(points));
+  const auto solution = newton(problem, system, problem.pack(system, points));
   return solution ? minimal_orbit(system, problem, *solution) : std::nullopt;
 }
 

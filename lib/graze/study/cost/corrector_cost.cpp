@@ -92,7 +92,7 @@ CorrectorCosts corrector_costs(const Scene& scene, const AccuracyCostOptions& op
   }
   const Orbit& orbit = found.orbits.front();
   const ShootingProblem problem(orbit.pattern(), motion_scale(system));
-  const Vector solution = problem.pack(orbit.points());
+  const Vector solution = problem.pack(system, orbit.points());
   costs.orbit = "orbit (1, 1)";
   // Its neighbour on the branch over the forcing frequency.
   const SystemFamily family(scene, "forcing.frequency");

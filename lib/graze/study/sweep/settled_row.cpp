@@ -4,6 +4,7 @@
 
 #include "graze/assembly/initial_state.hpp"
 #include "graze/assembly/probes.hpp"
+#include "graze/base/linalg/detail/linear_equations.hpp"
 #include "graze/orbit/search/detail/random_start.hpp"
 #include "graze/system/scale.hpp"
 
@@ -41,6 +42,13 @@ double closure_speed_of(const Scene& scene, const System& system, const RowOptio
   const State rest{Vector::Zero(system.modes()), Vector::Zero(system.modes())};
   return options.closure_speed.value_or(default_closure_speed(
       system, clear_start(scene, system).value_or(rest), scene.solver.tolerance));
+}
+
+State handed_on(const System& from, const System& to, const State& at_end) {
+  if (*to.coordinates() == *from.coordinates()) return at_end;
+  const LuFactors modal(*to.coordinates());
+  return {modal.solve(*from.coordinates() * at_end.q),
+          modal.solve(*from.coordinates() * at_end.qdot)};
 }
 
 SettleOptions settle_options(const Scene& scene, const System& system, const RowOptions& options,

@@ -85,6 +85,10 @@ double closure_speed_of(const Scene& scene, const System& system, const RowOptio
 // Whether the motion was followed to the end of its periods, and its last state can be used.
 bool was_followed(SweepStatus status);
 
+// The state in which the motion of one system begins as that of another ended: with the same
+// displacements and velocities of the masses. Both have coordinates().
+State handed_on(const System& from, const System& to, const State& at_end);
+
 // How the motion of a row is settled; `row.start` says where its start comes from.
 SettleOptions settle_options(const Scene& scene, const System& system, const RowOptions& options,
                              const SweepRow& row);

@@ -95,9 +95,13 @@ class Sweeper {
     try {
       run.scene = with_parameter(family_.scene(), family_.parameter(), run.row.value);
       run.system = assemble(run.scene);
-      if (before && was_followed(before->status) && is_clear(run.system, before->motion.at_end)) {
+      if (before && was_followed(before->status))
+        run.start =
+            run.system.coordinates()
+                ? handed_on(*family_.at(before->value), run.system, before->motion.at_end)
+                : before->motion.at_end;
+      if (run.start.q.size() > 0 && is_clear(run.system, run.start)) {
         run.row.start = SweepStart::kHandedOn;
-        run.start = before->motion.at_end;
       } else {
         if (before) run.row.start = SweepStart::kAnew;
         run.start = initial_state(run.scene, run.system);

@@ -36,10 +36,11 @@ class OrbitProblems {
   // The problem without impacts: the response that meets no stop (ResponseEquations).
   LaidOrbits& response();
   // An orbit in the pattern's canonical order, and in all cyclic relabellings that keep the
-  // pattern.
-  Written written(const ImpactPattern& pattern, const std::vector<ImpactPoint>& impacts);
+  // pattern; none where the scene does not allow the values.
+  std::vector<Written> written(const ImpactPattern& pattern,
+                               const std::vector<ImpactPoint>& impacts, Parameters at);
   std::vector<Written> rewritings(const ImpactPattern& pattern,
-                                  const std::vector<ImpactPoint>& impacts);
+                                  const std::vector<ImpactPoint>& impacts, Parameters at);
   // Every form in which an orbit can be continued, the preferred one first; none where its stops
   // are never released.
   std::vector<Written> written(const Orbit& orbit, Parameters at);

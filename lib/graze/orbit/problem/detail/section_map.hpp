@@ -2,10 +2,11 @@
 // closed (or none), after a number of forcing periods, with its derivatives.
 //
 // While the stops C hold, the motion has N - m degrees of freedom. A state on the section is given
-// by x = (y, y') in coordinates that do not move with a parameter, y = U^T q and y' = U^T q' with U
-// orthogonal to the rows of one system of a family; q follows from B^T q = a, U^T q = y, likewise
-// q'. Where no stop is closed, U = 1 and x is the whole state; of masses and springs it is that of
-// the masses, u = Phi q, since modes may change their sign or their order with a parameter.
+// by x = (y, y') in coordinates that do not move with a parameter, y = U^T T q and y' = U^T T q',
+// with U an orthonormal basis of what the closed stops of one system of a family leave free; q
+// follows from B^T q = a, U^T T q = y, likewise q'. Where no stop is closed, U = 1 and x is the
+// whole state. T = 1, but for masses and springs, whose modes may change their sign or their order
+// with a parameter, u = T q are the displacements of the masses.
 //
 // The map is the simulated motion, certified as in a run, and so are its fixed points. It is smooth
 // through every contact on a compliant stop whose force sets in without a jump; at other grazing
@@ -102,10 +103,9 @@ class SectionMap {
   Deviations start_deviations(const System& system, const MotionState<double>& start,
                               const Chart& chart, bool moves) const;
 
-  // The matrix that x sees a state by; null: 1.
-  const Matrix* own_coordinates(const System& system) const {
-    return closed_.empty() ? system.coordinates() : nullptr;
-  }
+  Matrix seen_by(const System& system) const;      // U^T T
+  // [B^T; U^T T], which determines q.
+  Matrix determining(const System& system) const;
 
   SegmentOptions options_;
   std::vector<int> closed_;

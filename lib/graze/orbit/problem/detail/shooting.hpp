@@ -7,7 +7,8 @@
 //   matching  flow from (theta_i, J(q_i, q'_i)) to theta_{i+1} = (q_{i+1}, q'_{i+1}),
 //
 // cyclic with theta_k = theta_0 + 2 pi p. Nothing in them breaks at grazing, so that virtual orbits
-// (that penetrate, or impact at negative speed) can be traced too. Derivatives are analytic.
+// (that penetrate, or impact at negative speed) can be traced too. Derivatives are analytic. Of
+// masses and springs the unknown states are those of the masses (impact_coordinates.hpp).
 #pragma once
 
 #include <span>
@@ -44,7 +45,7 @@ class ShootingProblem {
   // The periods of the unknowns: 2 pi for each phase, else zero.
   Vector wrap() const;
 
-  Vector pack(const std::vector<ImpactPoint>& impacts) const;
+  Vector pack(const System& system, const std::vector<ImpactPoint>& impacts) const;
   std::vector<ImpactPoint> unpack(const System& system, const Vector& x) const;
 
   // Residual at x (scaled), and on request its Jacobian by x.
@@ -53,6 +54,17 @@ class ShootingProblem {
   // With all derivatives, for the parameters that move the system along these tangents.
   ShootingLinearisation linearise(const System& system, const Vector& x,
                                   std::span<const System* const> tangents) const;
+  // The same for unknown states of the modes, whatever the structure.
+  ShootingLinearisation modal_equations(const System& system, const Vector& y,
+                                        std::span<const System* const> tangents) const;
+
+  // The speed of an impact over that of the scale, and its derivatives.
+  struct ImpactSpeed {
+    double value = 0.0;
+    Vector by_x, by_parameters;
+  };
+  ImpactSpeed speed_of(const System& system, const Vector& x, std::size_t impact,
+                       std::span<const System* const> tangents) const;
 
  private:
   // The requested results of residual() and linearise(); null and empty where not requested.
