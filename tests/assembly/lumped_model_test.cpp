@@ -24,7 +24,7 @@ std::vector<double> listed(const ModalModel& model) {
     for (Eigen::Index j = 0; j < n; ++j)
       list.push_back(i == j ? 2.0 * model.delta[i] : model.coupling(i, j));
   list.insert(list.end(), model.shapes[0].begin(), model.shapes[0].end());
-  list.insert(list.end(), model.participation.begin(), model.participation.end());
+  for (const Vector& load : model.participations) list.insert(list.end(), load.begin(), load.end());
   return list;
 }
 

@@ -5,7 +5,7 @@ working precision. With S the stuck stops,
 
     q'' = a - sum over S of d_k lambda_k,    a_j = g_j cos(Omega t + psi) + c_j - 2 delta_j q_j' - w_j^2 q_j,
 
-where the lambda_k keep  row_k . q'' = 0  for k in S. A stuck stop is released where its lambda falls to zero.
+(or a sum of such forces, system.loads) where the lambda_k keep  row_k . q'' = 0  for k in S. A stuck stop is released where its lambda falls to zero.
 The first zero of a gap or of a lambda is found by polynomial_zeros.py. A zero known at the start (simple after an
 impact, double or triple after a release) is divided out of the coefficients.
 """
@@ -42,17 +42,19 @@ class Arc:
         rows = [system.stops[k].row for k in stuck]
         jumps = [system.stops[k].jump for k in stuck]
         contact = delassus(system, stuck)
-        theta = system.omega * t0 + system.psi
-        c, s = mp.cos(theta), mp.sin(theta)
-        turns = [c, -s, -c, s]
+        turns, scales = [], [mpf(1)] * len(system.loads)
+        for omega, psi, _ in system.loads:
+            c, s = mp.cos(omega * t0 + psi), mp.sin(omega * t0 + psi)
+            turns.append([c, -s, -c, s])
         self.q = [[q[j], v[j]] for j in modes]
         self.power = [[] for _ in modes]                      # what moves mode j besides its spring: gives the work
         self.push = [[] for _ in stuck]                       # lambda
         tolerance = mpf(10) ** -mp.dps
-        largest, quiet, n, scale, h_power = mpf(0), 0, 0, mpf(1), mpf(1)
+        largest, quiet, n, h_power = mpf(0), 0, 0, mpf(1)
         while quiet < 4:
-            turn = turns[n % 4] * scale                       # n-th coefficient of cos(Omega t + psi)
-            a = [system.force[j] * turn - system.two_delta[j] * (n + 1) * self.q[j][n + 1] - w2[j] * self.q[j][n]
+            # n-th coefficient of each cos(Omega t + psi)
+            forces = [(force, turn[n % 4] * scale) for (_, _, force), turn, scale in zip(system.loads, turns, scales)]
+            a = [sum(force[j] * turn for force, turn in forces) - system.two_delta[j] * (n + 1) * self.q[j][n + 1] - w2[j] * self.q[j][n]
                  for j in modes]
             if n == 0:
                 a = [x + y for x, y in zip(a, system.static)]
@@ -68,7 +70,7 @@ class Arc:
             largest = max(largest, size)
             quiet = quiet + 1 if size <= tolerance * largest else 0
             n += 1
-            scale *= system.omega / n
+            scales = [scale * omega / n for (omega, _, _), scale in zip(system.loads, scales)]
             h_power *= h
             if n > 400:
                 raise ArithmeticError("the series does not converge")
@@ -87,11 +89,11 @@ class Arc:
         """Relative residual of the equations of motion at t0 + s, from the polynomials there."""
         system, (q, v) = self.system, self.state(s)
         push = [value(p, s) for p in self.push]
-        turn = mp.cos(system.omega * (self.t0 + s) + system.psi)
+        turns = [(force, mp.cos(omega * (self.t0 + s) + psi)) for omega, psi, force in system.loads]
         worst = largest = mpf(0)
         for j, poly in enumerate(self.q):
             second = value([n * (n - 1) * poly[n] for n in range(2, len(poly))], s)
-            parts = [second, system.two_delta[j] * v[j], system.frequency[j] ** 2 * q[j], -system.force[j] * turn,
+            parts = [second, system.two_delta[j] * v[j], system.frequency[j] ** 2 * q[j], -sum(force[j] * turn for force, turn in turns),
                      -system.static[j]] + [p * self.system.stops[k].jump[j] for p, k in zip(push, self.stuck)]
             worst = max(worst, abs(sum(parts)))
             largest = max([largest] + [abs(x) for x in parts])
@@ -178,7 +180,7 @@ class Motion:
 
     def run(self, end):
         system = self.system
-        rates = system.frequency + system.two_delta + [system.omega]
+        rates = system.frequency + system.two_delta + [omega for omega, _, _ in system.loads]
         longest = self.reach / max(max(rates), mpf(1))
         t, q, v, stuck, known = self.start()
         phase = (stuck, t, q, v)
@@ -259,7 +261,7 @@ class Motion:
         if order == 0:
             return poly
         size = max(abs(x) for x in [self.system.stops[k].gap] + [y for p in arc.q for y in p[:1]])
-        rate = max(self.system.frequency + self.system.two_delta + [self.system.omega, mpf(1)])
+        rate = max(self.system.frequency + self.system.two_delta + [load[0] for load in self.system.loads] + [mpf(1)])
         for n in range(order):
             if abs(poly[n]) > size * rate ** n * mpf(10) ** (15 - mp.dps):
                 raise ArithmeticError(f"the gap's coefficient {n} should be zero, is {mp.nstr(poly[n], 5)}")
@@ -365,19 +367,22 @@ def exponential_flow(system, stuck, t0, q, v, duration):
         for i in range(n):
             columns[i, j] = column[i]
     left = mp.inverse(columns)                                # its first n - m rows are L
-    a = mp.matrix(2 * size + 3)
-    cosine, sine, one = 2 * size, 2 * size + 1, 2 * size + 2
+    one = 2 * size + 2 * len(system.loads)
+    a = mp.matrix(one + 1)
     for i in range(size):
         a[i, size + i] = 1
         for j in range(size):
             a[size + i, j] = -sum(left[i, k] * system.frequency[k] ** 2 * basis[j][k] for k in range(n))
             a[size + i, size + j] = -sum(left[i, k] * system.two_delta[k] * basis[j][k] for k in range(n))
-        a[size + i, cosine] = sum(left[i, k] * system.force[k] for k in range(n))
+        for h, (_, _, force) in enumerate(system.loads):
+            a[size + i, 2 * size + 2 * h] = sum(left[i, k] * force[k] for k in range(n))
         a[size + i, one] = sum(left[i, k] * (system.static[k] - system.frequency[k] ** 2 * q[k]) for k in range(n))
-    a[cosine, sine], a[sine, cosine] = -system.omega, system.omega
-    theta = system.omega * t0 + system.psi
     y = [mpf(0)] * size + [sum(left[i, k] * v[k] for k in range(n)) for i in range(size)]
-    y = mp.matrix(y + [mp.cos(theta), mp.sin(theta), mpf(1)])
+    for h, (omega, psi, _) in enumerate(system.loads):
+        cosine = 2 * size + 2 * h
+        a[cosine, cosine + 1], a[cosine + 1, cosine] = -omega, omega
+        y += [mp.cos(omega * t0 + psi), mp.sin(omega * t0 + psi)]
+    y = mp.matrix(y + [mpf(1)])
     y = mp.expm(a * duration) * y
     return ([q[k] + sum(basis[i][k] * y[i] for i in range(size)) for k in range(n)],
             [sum(basis[i][k] * y[size + i] for i in range(size)) for k in range(n)])

@@ -2,13 +2,15 @@
 
     q_j'' + 2 delta_j q_j' + w_j^2 q_j = g_j cos(Omega t + psi) + c_j,      j = 1..N
 
+(with several [[forcing]] a sum of such forces at multiples of Omega)
+
 with mass-normalised modes and stops: free while  row . q < gap.  An impact with approach speed
 v = row . q'  changes the velocities by  -(1 + r) v d,  where  row . d = 1.
 
 Every number of the scene is taken as the double nearest to its literal and is exact from there on.
 """
 import tomllib
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from mpmath import mp, mpf
 
@@ -81,6 +83,12 @@ class ModalSystem:
     stops: list
     q0: list                 # initial state
     v0: list
+    further: list = field(default_factory=list)       # (order Omega, psi, g) of each further [[forcing]]
+
+    @property
+    def loads(self):
+        """(frequency, phase, g) of every harmonic force."""
+        return [(self.omega, self.psi, self.force)] + self.further
 
     @property
     def modes(self):
@@ -152,11 +160,22 @@ def make_stop(stop, row, columns):
 
 def finish(scene, w, two_delta, force, static, stops):
     """Forcing and initial state: alike for a beam and for given modes."""
-    forcing, initial = scene.get('forcing', {}), scene.get('initial', {})
+    forcing, initial = first_load(scene), scene.get('initial', {})
     zero = [0.0] * len(w)
-    return ModalSystem(w, two_delta, force, real(forcing.get('frequency', 0.0)), real(forcing.get('phase', 0.0)),
-                       static, stops,
-                       [real(x) for x in initial.get('q', zero)], [real(x) for x in initial.get('qdot', zero)])
+    base = real(forcing.get('frequency', 0.0))
+    omega = real(forcing.get('order', 1.0)) * base
+    further = []
+    for load in scene['forcing'][1:] if isinstance(scene.get('forcing'), list) else []:
+        shape = load.get('shape', scene.get('modal', {}).get('participation'))
+        further.append((real(load.get('order', 1.0)) * base, real(load.get('phase', 0.0)),
+                        [real(load['amplitude']) * real(x) for x in shape]))
+    return ModalSystem(w, two_delta, force, omega, real(forcing.get('phase', 0.0)), static, stops,
+                       [real(x) for x in initial.get('q', zero)], [real(x) for x in initial.get('qdot', zero)], further)
+
+
+def first_load(scene):
+    forcing = scene.get('forcing', {})
+    return forcing[0] if isinstance(forcing, list) else forcing
 
 
 def twice_decay_rates(scene, w, ratios):
@@ -177,8 +196,9 @@ def from_modes(scene):
     w = [real(x) for x in modal['frequencies']]
     zero = [0.0] * len(w)
     two_delta = twice_decay_rates(scene, w, modal.get('damping_ratios', zero))
-    amplitude = real(scene.get('forcing', {}).get('amplitude', 0.0))
-    force = [amplitude * real(x) for x in modal.get('participation', zero)]
+    forcing = first_load(scene)
+    amplitude = real(forcing.get('amplitude', 0.0))
+    force = [amplitude * real(x) for x in forcing.get('shape', modal.get('participation', zero))]
     static = [gravity(scene) * real(x) for x in modal.get('inertia', zero)]
     stops = [make_stop(stop, [real(x) for x in stop['shape']], None) for stop in scene['stop']]
     return finish(scene, w, two_delta, force, static, stops)

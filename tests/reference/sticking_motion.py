@@ -24,7 +24,8 @@ DIGITS = 80
 CASES = {'Z2a': '54', 'Z2b': '33', 'Z2c': '43', 'Z2s': '47', 'bounce': '3', 'beam2': '1.33', 'beam4': '1.01',
          'beam4c': '1.01', 'beam4d': '0.93', 'ratio2': '54', 'ratio3': '66', 'rayl3': '32', 'defect': '14.65',
          'defect2': '14.65', 'defect3': '47', 'two_sides': '77', 'two_stops2': '37', 'two_stops3': '37',
-         'thrown_off': '14', 'gravity2': '44', 'plastic': '40'}
+         'thrown_off': '14', 'gravity2': '44', 'plastic': '40', 'orders13': '40', 'half_order': '60',
+         'orders_plastic': '60', 'higher_first': '20'}
 
 LISTED = mpf('1e-4')                                  # impacts slower than this times the fastest are not listed
 
@@ -61,6 +62,7 @@ def perturbed(system, sign):
     other.frequency = [w * x for w, x in zip(system.frequency, alternate)]
     other.two_delta = [d / x for d, x in zip(system.two_delta, alternate)]
     other.force = [g / x for g, x in zip(system.force, alternate)]
+    other.further = [(w, psi, [g / x for g, x in zip(force, alternate)]) for w, psi, force in system.further]
     other.static = [c / x for c, x in zip(system.static, alternate)]
     other.stops = []
     for stop in system.stops:                         # a start on the stop stays one
@@ -139,7 +141,7 @@ def flow_error(motion):
 
 def free_error(system, rows):
     """The impacts before the first stick against the closed form and the search of impact_times.py."""
-    if len(system.stops) > 1 or any(system.static) or 0 in system.frequency or any(system.q0):
+    if len(system.stops) > 1 or system.further or any(system.static) or 0 in system.frequency or any(system.q0):
         return None
     first = []
     for row in rows:

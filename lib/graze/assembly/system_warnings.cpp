@@ -38,7 +38,7 @@ void add_flexibility_warnings(const Scene& scene, const ModalModel& model,
 // Nodes of the mesh whose rows a program left out, and with them their mass, where an acceleration
 // of the whole structure would load them.
 void add_missing_nodes(const Scene& scene, std::vector<std::string>& warnings) {
-  const bool is_based = scene.forcing && scene.forcing->kind == ForcingKind::kBase;
+  const bool is_based = scene.has_load(ForcingKind::kBase);
   if (!is_based && !scene.gravity) return;
   const MatrixModes& matrices = *scene.discrete()->solved;
   if (!scene.matrices()->dofs.empty() && matrices.elements.empty())

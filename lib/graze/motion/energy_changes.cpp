@@ -63,7 +63,7 @@ double energy_change(const System& system, const State& before, const State& aft
 
 Work work_at_once(const System& system, double theta, const Vector& shift) {
   Work work;
-  if (system.forcing()) work.forcing = system.forcing()->amplitude.dot(shift) * std::cos(theta);
+  if (system.forcing()) work.forcing = system.forcing()->at(theta).dot(shift);
   if (system.load()) work.load = system.load()->dot(shift);
   return work;
 }

@@ -122,11 +122,10 @@ void check_structure_of_matrices(const Scene& scene) {
   if (!given->solved)
     throw scene_error(scene, scene.structure_name(),
                       "its modes have not been computed, call solve_matrices");
-  const bool is_based = scene.forcing && scene.forcing->kind == ForcingKind::kBase;
+  const bool is_based = scene.has_load(ForcingKind::kBase);
   if (given->modal.inertia.empty() && (is_based || scene.gravity))
     throw missing_direction(scene, is_based ? "forcing of the kind \"base\"" : "[gravity]");
-  if (scene.forcing && scene.forcing->kind == ForcingKind::kModal &&
-      given->modal.participation.empty())
+  if (scene.has_load(ForcingKind::kModal) && given->modal.participation.empty())
     throw scene_error(scene, "matrices.load",
                       "the key is missing, forcing of the kind \"load\" needs degrees of freedom, "
                       "or load_file");
@@ -190,36 +189,46 @@ void check_start(const Scene& scene) {
                       "[matrices]; it must be left out");
 }
 
-void check_forcing(const Scene& scene) {
-  if (!scene.forcing) {
-    return;
-  }
-  const ValueChecker checker(scene, "forcing");
-  const Forcing& forcing = *scene.forcing;
+void check_load(const Scene& scene, const HarmonicLoad& load, const std::string& table) {
+  const ValueChecker checker(scene, table);
   const ModalStructure* modal = scene.modal();
-  if (forcing.frequency.in_hertz && scene.units == Units::kNone)
-    checker.fail("frequency_hz",
-                 "Hz is a unit and the scene has units = \"none\", it must be frequency");
-  if (forcing.kind == ForcingKind::kPoint) check_load_point(scene, forcing.at, "forcing");
-  if (modal == nullptr && forcing.kind == ForcingKind::kModal) {
+  if (load.kind == ForcingKind::kPoint) check_load_point(scene, load.at, table);
+  if (modal == nullptr && load.kind == ForcingKind::kModal) {
     checker.fail("kind", "modal forcing needs [modal], it must be base or distributed");
   }
-  if (modal != nullptr && forcing.kind == ForcingKind::kDistributed) {
+  if (modal != nullptr && load.kind == ForcingKind::kDistributed) {
     checker.fail("kind", fmt::format("distributed forcing needs [beam], it must be {} or base",
                                      scene.matrices() ? "load"
                                      : scene.lumped() ? "point"
                                                       : "modal"));
   }
-  if (modal != nullptr && forcing.kind == ForcingKind::kModal && modal->participation.empty()) {
+  if (modal != nullptr && load.kind == ForcingKind::kModal && modal->participation.empty()) {
     throw scene_error(scene, "modal.participation",
                       "the key is missing, forcing of the kind \"modal\" needs a list of numbers, "
                       "one per mode");
   }
-  if (modal != nullptr && forcing.kind == ForcingKind::kBase && modal->inertia.empty()) {
+  if (modal != nullptr && load.kind == ForcingKind::kBase && modal->inertia.empty()) {
     throw scene_error(scene, "modal.inertia",
                       "the key is missing, forcing of the kind \"base\" needs a list of numbers, "
                       "one per mode");
   }
+}
+
+void check_forcing(const Scene& scene) {
+  if (!scene.forcing) {
+    return;
+  }
+  if (scene.forcing->frequency.in_hertz && scene.units == Units::kNone)
+    ValueChecker(scene, "forcing")
+        .fail("frequency_hz",
+              "Hz is a unit and the scene has units = \"none\", it must be frequency");
+  std::size_t number = 0;
+  for (const HarmonicLoad* load : scene.harmonic_loads())
+    check_load(scene, *load, numbered_path("forcing", ++number));
+  if (!(scene.common_order() > 0.0))
+    throw scene_error(scene, scene.further.empty() ? "forcing.order" : "forcing.2.order",
+                      "the frequencies of the loads have no common period of up to 64 periods of "
+                      "the forcing, orders must be whole numbers or ratios of small ones");
 }
 
 void check_gravity(const Scene& scene) {

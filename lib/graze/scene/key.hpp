@@ -172,6 +172,8 @@ struct SchemaVisitor {
   // An optional or a pointer; a list of tables.
   void table(const TableKey&, const auto&) const {}
   void tables(const TableKey&, const auto&) const {}
+  // A table that may be the first of a list.
+  void leading(const TableKey&, const auto&, const auto&) const {}
 };
 
 }  // namespace graze

@@ -54,6 +54,7 @@ class KeyLister : public SchemaVisitor {
   void table(const TableKey& key, const auto& value) {
     descend<std::remove_cvref_t<decltype(*value)>>(key);
   }
+  void leading(const TableKey& key, const auto& first, const auto&) { table(key, first); }
   void tables(const TableKey& key, const auto& values) {
     descend<std::remove_cvref_t<decltype(values[0])>>(key);
   }

@@ -231,7 +231,8 @@ Scene parameter_direction(const Scene& scene, const std::string& name) {
 }
 
 bool leaves_structure(const std::string& name) {
-  const auto leaves = [](const std::string& path) {
+  const auto leaves = [](const std::string& numbered) {
+    const std::string path = without_number(numbered);
     const auto begins = [&](const char* with) { return path.rfind(with, 0) == 0; };
     const auto contains = [&](const char* part) { return path.find(part) != std::string::npos; };
     return (begins("forcing.") && !begins("forcing.position") && !begins("forcing.shape")) ||
@@ -252,8 +253,11 @@ std::string si_unit(const Scene& scene, const std::string& path) {
   if (name.starts_with("stop.restitution"))
     return restitution_unit(name.substr(std::min(name.size(), sizeof "stop.restitution")));
   if (name == "forcing.amplitude") {
-    if (!scene.forcing) return "";
-    const ForcingKind kind = scene.forcing->kind;
+    const long number = std::strtol(path.c_str() + sizeof "forcing", nullptr, 10);
+    const std::vector<const HarmonicLoad*> loads = scene.harmonic_loads();
+    const auto place = static_cast<std::size_t>(number > 0 ? number - 1 : 0);
+    if (place >= loads.size()) return "";
+    const ForcingKind kind = loads[place]->kind;
     return kind == ForcingKind::kBase          ? "m"
            : kind == ForcingKind::kPoint       ? "N"
            : kind == ForcingKind::kDistributed ? "N/m"

@@ -74,9 +74,11 @@ class RangeChecker : public SchemaVisitor {
     if (value) descend(joined_path(path_, key.name), *value);
   }
   void tables(const TableKey& key, const auto& values) const {
-    std::size_t k = 0;
-    const std::string list = joined_path(path_, key.name);
-    for (const auto& value : values) descend(numbered_path(list, ++k), value);
+    check_list(key, 0, values);
+  }
+  void leading(const TableKey& key, const auto& first, const auto& others) const {
+    table(key, first);
+    check_list(key, 1, others);
   }
 
  private:
@@ -85,6 +87,10 @@ class RangeChecker : public SchemaVisitor {
     if (!key.applies && key.refusal && is_there && !key.may_stand)
       checker_.fail(key.name, key.refusal);
     return key.applies;
+  }
+  void check_list(const TableKey& key, std::size_t before, const auto& values) const {
+    const std::string list = joined_path(path_, key.name);
+    for (const auto& value : values) descend(numbered_path(list, ++before), value);
   }
   void descend(const std::string& path, const auto& value) const {
     const RangeChecker inner(scene_, path);

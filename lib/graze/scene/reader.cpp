@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "graze/scene/check.hpp"
 #include "graze/scene/detail/document.hpp"
 #include "graze/scene/detail/keys.hpp"
+#include "graze/scene/detail/prepared_tables.hpp"
 #include "graze/scene/detail/quantity_text.hpp"
 #include "graze/scene/detail/schema.hpp"
 #include "graze/scene/detail/settings.hpp"
@@ -205,6 +205,20 @@ class KeyReader : public SchemaVisitor {
       if (pass_ == Pass::kChoices) value.emplace();
     if (value) read_table(reading_, *node, table_.path(key.name), *value, pass_);
   }
+  // One table, or a list of them.
+  template <class First, class Other>
+  void leading(const TableKey& key, std::optional<First>& first, std::vector<Other>& others) {
+    const Node* node = table_.find(key.name);
+    if (node == nullptr || node->as<NodeList>() == nullptr) return table(key, first);
+    const std::string path = table_.path(key.name);
+    const NodeList& entries = *node->as<NodeList>();
+    if (entries.empty()) return;
+    if (pass_ == Pass::kChoices) first.emplace();
+    others.resize(entries.size() - 1);
+    read_table(reading_, entries[0], path, *first, pass_);
+    for (std::size_t k = 1; k < entries.size(); ++k)
+      read_table(reading_, entries[k], numbered_path(path, k + 1), others[k - 1], pass_);
+  }
   // The tables are made before their keys are read.
   template <class Table>
   void tables(const TableKey& key, std::vector<Table>& values) {
@@ -260,76 +274,6 @@ class KeyReader : public SchemaVisitor {
   Pass pass_;
 };
 
-// Prepares a table before its keys are read.
-void prepare(const auto&, const Node&, auto&, const Scene&) {}
-
-// The keys say which damping it is.
-void prepare(const TableReader& table, const Node& node, Damping& damping, const Scene&) {
-  const NodeTable& members = *node.as<NodeTable>();
-  const std::string allowed = "exactly one of viscous, ratio, ratios and rayleigh";
-  if (members.empty())
-    throw InputError(node.place.location(), "damping",
-                     fmt::format("the table is empty, it must hold {}", allowed));
-  if (members.size() > 1)
-    table.fail(members[1].key, fmt::format("{} is given already, the table must hold {}",
-                                           table.path(members[0].key), allowed));
-  if (table.has("ratio")) damping = DampingRatio{};
-  if (table.has("ratios")) damping = DampingRatios{};
-  if (table.has("rayleigh")) damping = RayleighDamping{};
-}
-
-// Which keys it has says of which kind it is, where it does not say so itself.
-void prepare(const TableReader& table, const Node&, Forcing& forcing, const Scene& scene) {
-  if (!table.has("kind")) {
-    const auto given = [&](const char* key) { return table.has(key); };
-    constexpr std::array kPoints{"position", "shape", "node", "mass"};
-    forcing.kind = std::any_of(kPoints.begin(), kPoints.end(), given)        ? ForcingKind::kPoint
-                   : std::holds_alternative<ModalStructure>(scene.structure) ? ForcingKind::kModal
-                                                                             : ForcingKind::kBase;
-  }
-  forcing.frequency.in_hertz = table.has("frequency_hz");
-  if (table.has("frequency_hz") && table.has("frequency"))
-    table.fail("frequency_hz",
-               "forcing.frequency is given already, the table must hold exactly one of frequency "
-               "and frequency_hz");
-}
-
-void prepare(const TableReader& table, const Node&, Spring& spring, const Scene&) {
-  if (table.has("radii") || table.has("moduli") || table.has("poisson")) {
-    spring.geometry.emplace();
-    spring.exponent = 1.5;  // Hertz's
-  }
-  // The unit of the stiffness depends on it.
-  if (const Node* exponent = table.find("exponent")) {
-    if (const auto* real = exponent->as<double>()) spring.exponent = *real;
-    if (const auto* whole = exponent->as<std::int64_t>())
-      spring.exponent = static_cast<double>(*whole);
-  }
-}
-
-void prepare(const TableReader&, const Node&, Initial& initial, const Scene& scene) {
-  initial.q.assign(static_cast<std::size_t>(scene.modes()), 0.0);
-  initial.qdot = initial.q;
-}
-
-void prepare(const TableReader& root, const Node&, Scene& scene, const Scene&) {
-  std::vector<std::string> given;
-  for (const char* name : {"beam", "string", "bar", "modal", "matrices", "lumped"})
-    if (root.has(name)) given.emplace_back(name);
-  const std::string allowed =
-      "exactly one of [beam], [string], [bar], [modal], [matrices] and [lumped]";
-  if (given.empty())
-    root.fail("scene", fmt::format("a scene needs a structure, it must have {}", allowed));
-  if (given.size() > 1)
-    root.fail(given.back(),
-              fmt::format("the scene has a [{}] already, it must have {}", given.front(), allowed));
-  if (given.front() == "string") scene.structure = TautString{};
-  if (given.front() == "bar") scene.structure = Bar{};
-  if (given.front() == "modal") scene.structure = ModalStructure{};
-  if (given.front() == "matrices") scene.structure = MatrixStructure{};
-  if (given.front() == "lumped") scene.structure = LumpedStructure{};
-}
-
 template <class Table>
 void read_table(Reading& reading, const Node& node, const std::string& path, Table& value,
                 Pass last) {
@@ -354,8 +298,10 @@ namespace {
 void probe_loads(Scene& scene) {
   if (!scene.stops.empty() || !scene.probes.empty()) return;
   std::vector<StructurePoint> loaded(scene.loads.begin(), scene.loads.end());
-  if (scene.forcing && scene.forcing->kind == ForcingKind::kPoint)
-    loaded.insert(loaded.begin(), scene.forcing->at);
+  std::vector<StructurePoint> forced;
+  for (const HarmonicLoad* load : scene.harmonic_loads())
+    if (load->kind == ForcingKind::kPoint) forced.push_back(load->at);
+  loaded.insert(loaded.begin(), forced.begin(), forced.end());
   for (const StructurePoint& at : loaded)
     scene.probes.push_back({at.position, at.shape, at.node, at.against});
 }

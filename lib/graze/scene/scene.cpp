@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <type_traits>
 
 #include "graze/scene/detail/table_paths.hpp"
@@ -12,6 +15,37 @@ int Scene::modes() const {
   if (const Span* has_span = span()) return has_span->modes;
   if (const DiscreteStructure* given = discrete(); given && given->modes > 0) return given->modes;
   return static_cast<int>(modal()->frequencies.size());
+}
+
+std::vector<const HarmonicLoad*> Scene::harmonic_loads() const {
+  std::vector<const HarmonicLoad*> list;
+  if (forcing) list.push_back(&*forcing);
+  for (const HarmonicLoad& load : further) list.push_back(&load);
+  return list;
+}
+
+bool Scene::has_load(ForcingKind kind) const {
+  const std::vector<const HarmonicLoad*> list = harmonic_loads();
+  return std::any_of(list.begin(), list.end(),
+                     [&](const HarmonicLoad* load) { return load->kind == kind; });
+}
+
+double Scene::common_order() const {
+  // Beyond such denominators a motion would have to be followed over hundreds of periods.
+  constexpr int kLargestDenominator = 64;
+  // Of a ratio as it is written: 0.3333333333 is a third.
+  constexpr double kWritten = 1e-9;
+  for (int q = 1; q <= kLargestDenominator; ++q) {
+    long long common = 0;
+    bool fits = true;
+    for (const HarmonicLoad* load : harmonic_loads()) {
+      const double multiple = q * load->order.value_or(1.0), whole = std::round(multiple);
+      fits = fits && whole >= 1.0 && std::abs(multiple - whole) <= kWritten * multiple;
+      if (fits) common = std::gcd(common, std::llround(whole));
+    }
+    if (fits && common > 0) return static_cast<double>(common) / q;
+  }
+  return 0.0;
 }
 
 namespace {

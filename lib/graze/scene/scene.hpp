@@ -101,13 +101,17 @@ struct StructurePoint {
   std::string node{}, against{};
 };
 
-// amplitude * cos(frequency t + phase)
-struct Forcing {
+// amplitude cos(order frequency t + phase), with the frequency of the first load of a scene
+struct HarmonicLoad {
   ForcingKind kind = ForcingKind::kBase;
   double amplitude = 0.0;  // base: m; distributed: N/m; modal: 1; point: N
-  Frequency frequency{};   // > 0
+  std::optional<double> order{};  // a ratio of small whole numbers; absent: 1
   double phase = 0.0;      // rad
   StructurePoint at{};     // of the kind "point"
+};
+
+struct Forcing : HarmonicLoad {
+  Frequency frequency{};  // > 0
 };
 
 // A constant force along +u.
@@ -233,7 +237,8 @@ struct Scene {
   std::variant<Beam, ModalStructure, TautString, Bar, MatrixStructure, LumpedStructure> structure;
   std::optional<Hub> hub{};  // of a beam
   std::optional<Damping> damping;
-  std::optional<Forcing> forcing;
+  std::optional<Forcing> forcing;  // the first load
+  std::vector<HarmonicLoad> further{};
   std::optional<Gravity> gravity;
   std::vector<PointLoad> loads{};
   std::vector<SceneStop> stops;
@@ -242,6 +247,13 @@ struct Scene {
   Solver solver;
   std::shared_ptr<const Origins> origins;  // null for a scene made in code
   std::shared_ptr<const WrittenUnits> written{};  // likewise
+
+  // All loads, the first one first.
+  std::vector<const HarmonicLoad*> harmonic_loads() const;
+  bool has_load(ForcingKind kind) const;
+  // The largest part of the forcing frequency of which each load's frequency is a whole multiple;
+  // 0 where there is none, as of incommensurate orders.
+  double common_order() const;
 
   const Beam* beam() const { return std::get_if<Beam>(&structure); }
   const TautString* string() const { return std::get_if<TautString>(&structure); }

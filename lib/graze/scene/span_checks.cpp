@@ -258,7 +258,7 @@ void check_on_span(const Scene& scene) {
                       "viscous damping per length couples the modes where the mass per length "
                       "varies or masses are attached, it must be rayleigh = { mass = .., "
                       "stiffness = .. }, which is spread like the mass, or ratios");
-  if (scene.forcing && scene.forcing->kind == ForcingKind::kBase && !is_held_anywhere(*span))
+  if (scene.has_load(ForcingKind::kBase) && !is_held_anywhere(*span))
     throw scene_error(scene, "forcing.kind",
                       fmt::format("nothing holds the {} against u, so no base moves it; it must be "
                                   "distributed",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <vector>
 
 namespace graze {
 namespace {
@@ -11,9 +12,14 @@ constexpr const char* kLists[] = {
     "string.mass", "bar.piece",     "bar.support",      "string.support", "bar.mass",
     "load",        "lumped.spring", "lumped.gyroscopic"};
 
+// A table, or the first of several.
+constexpr const char* kMayBeList = "forcing";
+
 // The path without the number of its table, where `leave` returns true for that number.
 std::string shortened(const std::string& path, auto&& leave) {
-  for (const std::string list : kLists) {
+  std::vector<std::string> lists(std::begin(kLists), std::end(kLists));
+  lists.emplace_back(kMayBeList);
+  for (const std::string& list : lists) {
     if (path.compare(0, list.size() + 1, list + ".") != 0) continue;
     const std::size_t begin = list.size() + 1;
     const std::size_t end = std::min(path.find('.', begin), path.size());

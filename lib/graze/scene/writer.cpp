@@ -105,6 +105,12 @@ class Writer : public SchemaVisitor {
     const std::string path = joined_path(path_, key.name);
     for (const auto& value : values) write(fmt::format("[[{}]]", path), path, value);
   }
+  void leading(const TableKey& key, const auto& first, const auto& others) {
+    if (others.empty()) return table(key, first);
+    const std::string path = joined_path(path_, key.name);
+    write(fmt::format("[[{}]]", path), path, *first);
+    tables(key, others);
+  }
 
  private:
   void add(const Key& key, const std::string& value) {

@@ -126,21 +126,24 @@ Vector span_inertia_rate(const Scene& scene, const SpanModes& modes, const Vecto
 }
 
 // By collocation a load per length is an acceleration times rho A.
-Vector span_participation(const Scene& scene, const SpanModes& modes, const Matrix& phi) {
-  if (scene.forcing->kind == ForcingKind::kPoint)
-    return shapes_of(modes, scene.forcing->at.position);
-  if (scene.forcing->kind != ForcingKind::kDistributed) return span_inertia(scene, modes, phi);
+Vector span_participation(const Scene& scene, const HarmonicLoad& load, const SpanModes& modes,
+                          const Matrix& phi) {
+  if (load.kind == ForcingKind::kPoint) return shapes_of(modes, load.at.position);
+  if (load.kind != ForcingKind::kDistributed) return span_inertia(scene, modes, phi);
   if (collocates(scene))
     return span_inertia(scene, modes, phi) / mass_per_length(scene, nullptr).value;
   return std::visit([](const auto& has) { return has.load(); }, modes);
 }
 
-Vector span_participation_rate(const Scene& scene, const Scene& direction, const SpanModes& modes,
-                               const ModalModel& model, const Matrix& phi_rate) {
-  if (scene.forcing->kind == ForcingKind::kPoint)
-    return shape_rates_at(modes, scene.forcing->at, direction.forcing->at);
-  const Vector& g = model.participation;
-  const bool distributed = scene.forcing->kind == ForcingKind::kDistributed;
+// `k`: of the harmonic load.
+Vector span_participation_rate(const Scene& scene, const Scene& direction, std::size_t k,
+                               const SpanModes& modes, const ModalModel& model,
+                               const Matrix& phi_rate) {
+  const HarmonicLoad& load = *scene.harmonic_loads()[k];
+  if (load.kind == ForcingKind::kPoint)
+    return shape_rates_at(modes, load.at, direction.harmonic_loads()[k]->at);
+  const Vector& g = model.participations[k];
+  const bool distributed = load.kind == ForcingKind::kDistributed;
   if (distributed && !collocates(scene))
     return std::visit([](const auto& has) { return has.load_rate(); }, modes);
   Vector rate = span_inertia_rate(scene, modes, g, model.collocation, phi_rate);
@@ -154,11 +157,11 @@ ModalModel given_numbers(const Scene& scene, const Scene& of) {
   const ModalStructure& modal = *of.modal();
   ModalModel model;
   model.omega = as_vector(modal.frequencies);
-  if (scene.forcing)
-    model.participation =
-        as_vector(scene.forcing->kind == ForcingKind::kBase    ? modal.inertia
-                  : scene.forcing->kind == ForcingKind::kPoint ? of.forcing->at.shape
-                                                               : modal.participation);
+  for (const HarmonicLoad* load : of.harmonic_loads())
+    model.participations.emplace_back(as_vector(load->kind == ForcingKind::kBase ? modal.inertia
+                                                : load->kind == ForcingKind::kPoint
+                                                    ? load->at.shape
+                                                    : modal.participation));
   if (scene.gravity) model.inertia = as_vector(modal.inertia);
   for (const SceneStop& stop : of.stops) model.shapes.emplace_back(as_vector(stop.shape));
   for (const PointLoad& load : of.loads) model.loads.emplace_back(as_vector(load.shape));
@@ -197,13 +200,11 @@ ModalModel discrete_tangent(const Scene& scene, const ModalModel& model, const S
   for (std::size_t i = 0; i < scene.loads.size(); ++i) rate.loads.push_back(of_point(next++));
   const int along = scene.matrices() ? scene.matrices()->direction : 0;
   if (scene.gravity) rate.inertia = rates.inertia.at(along);
-  if (!scene.forcing) return rate;
-  if (scene.forcing->kind == ForcingKind::kPoint)
-    rate.participation = of_point(next);
-  else if (scene.forcing->kind == ForcingKind::kBase)
-    rate.participation = rates.inertia.at(along);
-  else
-    rate.participation = rates.shapes.transpose() * modes.load;
+  for (const HarmonicLoad* load : scene.harmonic_loads())
+    rate.participations.push_back(load->kind == ForcingKind::kPoint  ? of_point(next++)
+                                  : load->kind == ForcingKind::kBase ? rates.inertia.at(along)
+                                                                     : Vector(rates.shapes.transpose() *
+                                                                              modes.load));
   return rate;
 }
 
@@ -212,7 +213,7 @@ ModalModel given_tangent(const Scene& scene, const ModalModel& model, const Scen
   ModalModel rate = given_numbers(scene, direction);
   if (scene.matrices()) {  // No parameter moves what files give.
     rate.omega.setZero();
-    rate.participation.setZero();
+    for (Vector& load : rate.participations) load.setZero();
     rate.inertia.setZero();
     for (Vector& shape : rate.shapes) shape.setZero();
     for (Vector& shape : rate.loads) shape.setZero();
@@ -251,7 +252,8 @@ ModalModel modal_model(const Scene& scene) {
   model.omega = omega_of(modes);
   model.delta = decay_rates(scene, model.omega);
   if (uses_collocation(scene)) model.collocation = collocation_matrix(*scene.beam(), modes);
-  if (scene.forcing) model.participation = span_participation(scene, modes, model.collocation);
+  for (const HarmonicLoad* load : scene.harmonic_loads())
+    model.participations.push_back(span_participation(scene, *load, modes, model.collocation));
   if (scene.gravity) model.inertia = span_inertia(scene, modes, model.collocation);
   for (const SceneStop& stop : scene.stops) model.shapes.push_back(shapes_of(modes, stop.position));
   for (const PointLoad& load : scene.loads) model.loads.push_back(shapes_of(modes, load.position));
@@ -267,8 +269,9 @@ ModalModel modal_tangent(const Scene& scene, const ModalModel& model, const Scen
   rate.delta = decay_tangent(scene, model, rate.omega, direction);
   if (uses_collocation(scene))
     rate.collocation = collocation_rate(*scene.beam(), *direction.beam(), modes);
-  if (scene.forcing)
-    rate.participation = span_participation_rate(scene, direction, modes, model, rate.collocation);
+  for (std::size_t k = 0; k < model.participations.size(); ++k)
+    rate.participations.push_back(
+        span_participation_rate(scene, direction, k, modes, model, rate.collocation));
   if (scene.gravity)
     rate.inertia =
         span_inertia_rate(scene, modes, model.inertia, model.collocation, rate.collocation);

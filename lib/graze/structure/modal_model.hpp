@@ -1,7 +1,8 @@
 // A structure as its mass-normalised modes see it:
 //
 //   q_j'' + 2 delta_j q_j' + sum_i coupling_ji q_i' + omega_j^2 q_j
-//       = participation_j * (load) + inertia_j * (gravity) + sum_k loads_kj * (force k),
+//       = sum_k participations_kj * (harmonic load k) + inertia_j * (gravity)
+//         + sum_k loads_kj * (force k),
 //   u(x, t) = sum phi_j(x) q_j
 //
 // Damping acts on the velocity relative to the clamp. The load's unit is that of the forcing:
@@ -23,7 +24,7 @@ struct ModalModel {
   Vector delta;          // decay rates, 1/s, N
   Matrix coupling;       // of the damping, 1/s, N x N with a zero diagonal; empty: none
   Matrix coordinates;    // of the masses or degrees of freedom by all modes, N x N, kg^-1/2; or none
-  Vector participation;  // modal force per unit load, N; empty without forcing
+  std::vector<Vector> participations;  // modal force per unit of each harmonic load, N each
   Vector inertia;  // modal force per unit of uniform acceleration, kg^1/2, N; empty: no gravity
   std::vector<Vector> shapes;  // phi_j at each stop, kg^-1/2, N each
   std::vector<Vector> loads;   // phi_j at each constant force, kg^-1/2, N each

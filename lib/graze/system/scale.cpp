@@ -24,9 +24,10 @@ double forced_reach_at(const System& system, const Stop& stop) {
   double reach = 0.0;
   if (!system.forcing()) return reach;
   const double frequency = system.forcing()->frequency;
+  const Vector force = system.forcing()->size();
   for (Eigen::Index j = 0; j < system.omega.size(); ++j)
     reach = std::max(reach, std::abs((system.coupling() ? stop.row.norm() : stop.row[j]) *
-                                     system.forcing()->amplitude[j]) /
+                                     force[j]) /
                                 std::max(system.omega[j] * system.omega[j], frequency * frequency));
   return reach;
 }
@@ -82,7 +83,7 @@ double speed_scale(const System& system, const State& start) {
     // Over a distance d an acceleration a comes to sqrt(2 a d), however slowly it turns.
     if (forced > 0.0) {
       const double fall =
-          std::sqrt(2.0 * push_at(system, stop, system.forcing()->amplitude) * distance);
+          std::sqrt(2.0 * push_at(system, stop, system.forcing()->size()) * distance);
       const double whole = forced * system.forcing()->frequency;
       scale = std::max(scale, distance > 0.0 ? std::min(whole, fall) : whole);
     }

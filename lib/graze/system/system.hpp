@@ -1,6 +1,6 @@
 // The assembled hybrid system, immutable once made:
 //
-//   q'' + D q' + omega^2 q = amplitude cos(frequency t + phase) + load          in free flight
+//   q'' + D q' + omega^2 q = f(frequency t + phase) + load                      in free flight
 //   gap_i - row_i.q >= 0,   q'+ = q'- - (1 + r_i) direction_i (row_i.q'-)       at stop i,
 //   or, at a compliant one,  q'' = .. - row_i F_i(x_i, x_i'),  x_i = row_i.q - gap_i > 0
 //
@@ -25,10 +25,22 @@
 
 namespace graze {
 
+// A force cosine cos(order theta) + sine sin(order theta), kg^1/2 m/s^2, N entries each.
+struct Harmonic {
+  int order = 1;
+  Vector cosine, sine;
+};
+
+// f(theta) = amplitude cos(theta) + the sum of further harmonics, at theta = frequency t + phase.
 struct HarmonicForcing {
   double frequency = 0.0;  // rad/s
   double phase = 0.0;      // rad
   Vector amplitude;        // modal force, kg^1/2 m/s^2, N entries
+  std::vector<Harmonic> harmonics{};
+
+  Vector at(double theta) const;
+  Vector rate_at(double theta) const;  // of f, per rad
+  Vector size() const;                 // no entry of f exceeds that
 };
 
 // What a rigid stop does to the velocity of the structure that hits it.
@@ -118,9 +130,15 @@ struct System {
     if (coupling()) force += *coupling() * qdot;
     return force;
   }
-  // Whether all stops are rigid and each mode moves by itself between impacts, so that orbits are
-  // equations for their impacts alone. The others are followed.
-  bool has_modal_flights() const { return !has_compliant_stop() && !coupling(); }
+  // Null without harmonics beside the first.
+  const std::vector<Harmonic>* harmonics() const {
+    return forcing() && !forcing()->harmonics.empty() ? &forcing()->harmonics : nullptr;
+  }
+  // Whether between impacts each mode moves by itself under one harmonic force: closed forms.
+  bool has_closed_forms() const { return !coupling() && !harmonics(); }
+  // Whether all stops are rigid as well, so that orbits are equations for their impacts alone. The
+  // others are followed.
+  bool has_modal_flights() const { return !has_compliant_stop() && has_closed_forms(); }
   const Vector* load() const { return !turns() && modal().load ? &*modal().load : nullptr; }
   // T = 2 pi/frequency, s; infinite without forcing.
   double period() const {

@@ -19,7 +19,7 @@ namespace {
 CoupledSystem free_system(const LinearSystem<double>& whole) {
   const Eigen::Index n = whole.omega.size();
   CoupledSystem coupled{whole.omega.cwiseAbs2().asDiagonal(),
-                        whole.coupling,
+                        whole.coupling.size() > 0 ? whole.coupling : Matrix(Matrix::Zero(n, n)),
                         Vector::Zero(n),
                         Vector::Zero(n),
                         0.0,
@@ -36,12 +36,45 @@ void scale_rates(const ConstrainedStructure<double>& held, CoupledSystem& couple
   coupled.scale = held.reduced.omega.cwiseMax(slowest > 0.0 ? slowest : 1.0);
 }
 
+// The matrix with rows and columns of zeros behind its own.
+Matrix padded(const Matrix& matrix, Eigen::Index rows, Eigen::Index columns) {
+  Matrix all = Matrix::Zero(rows, columns);
+  all.topLeftCorner(matrix.rows(), matrix.cols()) = matrix;
+  return all;
+}
+
+// A coordinate z = unit cos(k theta) for each harmonic, of the size of what it moves: it presses as
+// cosine z/unit - sine z'/(unit k W).
+void add_harmonics(ConstrainedStructure<double>& held, const Matrix& left, CoupledSystem& coupled) {
+  const auto count = static_cast<Eigen::Index>(held.whole.harmonics.size());
+  const Eigen::Index n = held.whole.omega.size(), m = held.size(), all = m + count;
+  coupled.stiffness = padded(coupled.stiffness, all, all);
+  coupled.damping = padded(coupled.damping, all, all);
+  coupled.load = padded(coupled.load, all, 1);
+  coupled.force = padded(coupled.force, all, 1);
+  held.basis = padded(held.basis, n, all);
+  if (held.left.size() > 0) held.left = padded(held.left, all, n);
+  held.reduced.omega = padded(held.reduced.omega, all, 1);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Harmonic& one = held.whole.harmonics[static_cast<std::size_t>(k)];
+    const double frequency = one.order * held.whole.frequency;
+    const double size = one.cosine.norm() + one.sine.norm();
+    const double unit = size > 0.0 ? size / (frequency * frequency) : 1.0;
+    held.units.push_back(unit);
+    held.reduced.omega[m + k] = frequency;
+    coupled.stiffness.col(m + k).head(m) = -left * one.cosine / unit;
+    coupled.damping.col(m + k).head(m) = left * one.sine / (unit * frequency);
+    coupled.stiffness(m + k, m + k) = frequency * frequency;
+  }
+}
+
 }  // namespace
 
 CoupledSystem couple(ConstrainedStructure<double>& held) {
   CoupledSystem coupled;
-  if (held.is_free()) {
+  if (held.constrained.empty()) {
     coupled = free_system(held.whole);
+    add_harmonics(held, held.basis, coupled);
     scale_rates(held, coupled);
     return coupled;
   }
@@ -71,6 +104,7 @@ CoupledSystem couple(ConstrainedStructure<double>& held) {
     }
   }
   coupled.force = held.whole.forced ? Vector(left * held.whole.amplitude) : Vector(Vector::Zero(m));
+  add_harmonics(held, left, coupled);
   scale_rates(held, coupled);
   return coupled;
 }

@@ -18,7 +18,7 @@ CoupledPhase::CoupledPhase(PhaseKey key, ConstrainedStructure<double> structure,
 void CoupledPhase::start(const double& theta, const Vector& q, const Vector& qdot,
                          const double& /*time*/) {
   forget_curves();
-  arc_.start(theta, structure().coordinates(q), structure().rates(qdot));
+  arc_.start(theta, structure().coordinates(q, theta), structure().rates(qdot, theta));
 }
 
 void CoupledPhase::state(const double& s, Vector& q, Vector& qdot) const {
@@ -36,7 +36,7 @@ bool CoupledPhase::set_curve(ArcCurve<double>& curve, const Observable<double>& 
 }
 
 std::unique_ptr<ExactPhase<double>> exact_phase(const System& system, const PhaseKey& key) {
-  if (key.closed.empty() && !system.coupling())
+  if (key.closed.empty() && system.has_closed_forms())
     return std::make_unique<FreePhase<double>>(system, key);
   ConstrainedStructure<double> structure(system, key.closed);
   if (structure.has_real_modes)

@@ -113,8 +113,8 @@ void LinearSpringPhase::start(const double& theta, const Vector& q, const Vector
   depths_.clear();
   for (std::size_t k = 0; k < rows_.size(); ++k)
     depths_.push_back(depth_value<double>(rows_[k], q, gaps_[k]));
-  const Vector y = structure().coordinates(q);
-  coupled_motion().start_from(theta, y, structure().rates(qdot), load_at(y));
+  const Vector y = structure().coordinates(q, theta);
+  coupled_motion().start_from(theta, y, structure().rates(qdot, theta), load_at(y));
 }
 
 // The load, less the forces of stiffness and springs at the start.

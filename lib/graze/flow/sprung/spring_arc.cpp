@@ -17,7 +17,7 @@ Vector or_zero(const Vector& list, Eigen::Index n) {
 // the contact.
 Vector left_of_row(const ConstrainedStructure<double>& structure, const Vector& row) {
   constexpr double kRoundings = 16.0;
-  Vector left = structure.rates(row);
+  Vector left = structure.seen(row);
   const double rounding = kRoundings * std::numeric_limits<double>::epsilon() *
                           static_cast<double>(row.size()) * row.norm();
   if (!structure.is_free() && left.norm() <= rounding) left.setZero();
@@ -106,7 +106,7 @@ ForcesAtStart forces_at_start(const ConstrainedStructure<double>& structure,
   const Vector stiffness = free.omega.cwiseAbs2();
   // The part of an acceleration that closed stops allow.
   const auto held_back = [&](const Vector& acceleration) -> Vector {
-    if (structure.is_free()) return acceleration;
+    if (structure.constrained.empty()) return acceleration;
     return acceleration - structure.directions * (structure.shares.transpose() * acceleration);
   };
   const auto resistance = [&](const Vector& velocity) -> Vector {
@@ -128,8 +128,8 @@ ForcesAtStart forces_at_start(const ConstrainedStructure<double>& structure,
     at.size += free.load.cwiseAbs();
   }
   if (free.forced) {
-    at.force += free.amplitude * std::cos(theta);
-    at.size += free.amplitude.cwiseAbs();
+    at.force += free.forces(theta);
+    at.size += free.force_sizes();
   }
   at.acceleration = held_back(at.force);
   const Vector push_rate = spring_push_rate(equations, depths, qdot, at.acceleration);
@@ -137,8 +137,8 @@ ForcesAtStart forces_at_start(const ConstrainedStructure<double>& structure,
   at.rate_size = resistance_size(at.acceleration) + stiffness.cwiseProduct(qdot.cwiseAbs()) +
                  push_rate.cwiseAbs();
   if (free.forced) {
-    at.force_rate -= free.frequency * std::sin(theta) * free.amplitude;
-    at.rate_size += free.frequency * free.amplitude.cwiseAbs();
+    at.force_rate += free.frequency * free.force_rates(theta);
+    at.rate_size += free.highest_frequency() * free.force_sizes();
   }
   at.jerk = held_back(at.force_rate);
   return at;

@@ -36,7 +36,7 @@ SprungPhase::SprungPhase(const System& system, const PhaseKey& key,
                          const std::optional<StepSetting>& steps)
     : SprungPhase(system, key, sprung_equations(system, key)) {
   add_force_weights(system);
-  if (structure_.left.size() > 0) add_powers(system);
+  if (structure_.left.size() > 0 || system.harmonics()) add_powers(system);
   integrate(steps);
 }
 
@@ -53,13 +53,25 @@ void SprungPhase::add_force_weights(const System& system) {
   }
 }
 
-// An oblique law projects along other directions than it holds; powers are formed before that.
+// An oblique law projects along other directions than it holds; powers are formed before that. The
+// harmonics press by K and D.
 void SprungPhase::add_powers(const System& system) {
   const Matrix& basis = structure_.basis;
   SprungSystem::Powers& powers = equations_.powers.emplace();
   powers.forcing = Vector::Zero(basis.cols());
   if (system.forcing()) powers.forcing = basis.transpose() * system.forcing()->amplitude;
   powers.damping = basis.transpose() * system.damping() * basis;
+  if (system.harmonics()) {
+    powers.by_place = powers.by_rate = Matrix::Zero(basis.cols(), basis.cols());
+    for (std::size_t k = 0; k < system.harmonics()->size(); ++k) {
+      const Harmonic& one = (*system.harmonics())[k];
+      const Eigen::Index at = structure_.drive(k);
+      const double unit = structure_.units[k], frequency = structure_.reduced.omega[at];
+      powers.by_place.col(at) = basis.transpose() * one.cosine / unit;
+      powers.by_rate.col(at) = -basis.transpose() * one.sine / (unit * frequency);
+    }
+  }
+  if (structure_.left.size() == 0) return;
   for (const int i : structure_.constrained) {
     const Stop& stop = system.stops[static_cast<std::size_t>(i)];
     // A contact force of 1 N accelerates by -direction |row|^2.
@@ -107,7 +119,7 @@ Vector SprungPhase::force(double s, const Vector& q, const Vector& qdot) const {
   const LinearSystem<double>& free = structure_.whole;
   Vector sum = -2.0 * free.delta.cwiseProduct(qdot) - free.omega.cwiseAbs2().cwiseProduct(q);
   if (free.load.size() > 0) sum += free.load;
-  if (free.forced) sum += free.amplitude * std::cos(theta_ + free.frequency * s);
+  if (free.forced) sum += free.forces(theta_ + free.frequency * s);
   return sum - spring_push(q, qdot);
 }
 

@@ -72,7 +72,7 @@ TurningPhase::TurningPhase(const System& holding, const PhaseKey& key,
         joint_watches_.push_back(watch);
       }
     } else {
-      const Vector along = structure().rates(turning().structure.angle_row());
+      const Vector along = structure().seen(turning().structure.angle_row());
       watch.weights = Vector::Zero(2 * along.size());
       watch.weights.tail(along.size()) = key.joint == Joint::kForward ? along : Vector(-along);
       joint_watches_.push_back(watch);

@@ -24,7 +24,8 @@ void IntegratedPhase::watch(const std::vector<Observable<double>>& observables, 
 void IntegratedPhase::start_steps(double theta, const Vector& q, const Vector& qdot,
                                   std::span<const double> depths, double time) {
   Vector x(2 * scale_.size());
-  x << scale_.cwiseProduct(structure().coordinates(q)), structure().rates(qdot);
+  x << scale_.cwiseProduct(structure().coordinates(q, theta)),
+      structure().rates(qdot, theta);
   steps_->start(theta, x, depths, time);
 }
 

@@ -199,6 +199,13 @@ void add_coupled(const System& system, const ExactPhase<double>& phase, double s
         system.coupling()->cwiseProduct(velocity.middleCols(m, m) * basis.transpose()).sum();
   if (system.forcing())
     work.forcing += system.forcing()->amplitude.dot(velocity.col(2 * m)) / moments.unit;
+  for (std::size_t k = 0; k < structure.units.size(); ++k) {
+    const Harmonic& one = (*system.harmonics())[k];
+    const Eigen::Index at = structure.drive(k);
+    work.forcing += (one.cosine.dot(velocity.col(at)) / arc.flow().scale()[at] -
+                     one.sine.dot(velocity.col(m + at)) / structure.reduced.omega[at]) /
+                    structure.units[k];
+  }
   for (const int i : phase.closed()) {
     const Stop& stop = system.stops[static_cast<std::size_t>(i)];
     if (acts_along_row(stop)) continue;

@@ -129,6 +129,14 @@ Deviations growth(const ExactPhase<double>& phase, double s, const Deviations& s
     reduced.q = basis.transpose() * start.q;
     reduced.qdot = basis.transpose() * start.qdot;
   }
+  // A later start finds the harmonics elsewhere.
+  for (std::size_t k = 0; k < structure.units.size(); ++k) {
+    const Eigen::Index at = structure.drive(k), n = start.q.rows();
+    const double theta = phase.coupled_arc()->start_phase(), w = structure.reduced.omega[at];
+    const Vector none = Vector::Zero(n);
+    reduced.q.row(at) = structure.rates(none, theta)[at] * start.delay;
+    reduced.qdot.row(at) = -w * w * structure.coordinates(none, theta)[at] * start.delay;
+  }
   if (phase.arc()) {
     reduced = modal_growth(*phase.arc(), s, reduced);
   } else {

@@ -98,7 +98,9 @@ std::optional<Deviations> linear_spring_parameter_deviation(const System& system
                                                             const State& start, double theta,
                                                             double s, const Deviations& column) {
   const Index n = start.q.size();
-  if (phase.depth_observables.empty() || !phase.closed().empty() || n > kMostModes) return {};
+  if (phase.depth_observables.empty() || !phase.closed().empty() || n > kMostModes ||
+      system.harmonics())
+    return {};
   std::vector<SpringRates> springs;
   for (std::size_t k = 0; k < phase.springs().loaded.size(); ++k) {
     const auto at = static_cast<std::size_t>(phase.springs().loaded[k]);

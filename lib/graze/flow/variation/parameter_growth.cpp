@@ -91,27 +91,26 @@ ParameterGrowth free_growth(const System& system, const System& tangent,
   return growth;
 }
 
-// The motion, held or with coupled modes, in all N coordinates, q'' = P (load + Re(force e^{i
-// theta})
-// - D q' - w^2 q) with P = 1 - D (B^T D)^-1 B^T, as x' = A x on x = (rates * q, q', cos theta, sin
-// theta, 1); and the derivative of A by the parameter. Constraints are integrals of it, so they are
-// kept.
+// The motion, held, with coupled modes or under several harmonics, in all N coordinates, q'' = P
+// (load + f(theta) - D q' - w^2 q) with P = 1 - D (B^T D)^-1 B^T, as x' = A x on x = (rates * q,
+// q', cos theta, sin theta, 1, and the cosine and sine of each further harmonic); and the
+// derivative of A by the parameter. Constraints are integrals of it, so they are kept.
 class ConstrainedGenerator {
  public:
   ConstrainedGenerator(const System& system, const System& tangent, const std::vector<int>& closed)
-      : n_(system.modes()), rates_(system.omega.cwiseMax(system.forcing()->frequency)) {
+      : n_(system.modes()),
+        rates_(system.omega.cwiseMax(system.forcing()->frequency)),
+        orders_(orders_of(system)) {
     const Matrix projection = held_projection(system, closed);
     const Matrix projection_rate = held_projection_rate(system, tangent, closed);
     const Matrix forces = forces_of(system), forces_rate = forces_rate_of(system, tangent);
     generator_ = Matrix::Zero(size(), size());
     generator_.topRows(n_).middleCols(n_, n_) = rates_.asDiagonal();
     generator_.middleRows(n_, n_) = projection * forces;
-    generator_(2 * n_, 2 * n_ + 1) = -system.forcing()->frequency;
-    generator_(2 * n_ + 1, 2 * n_) = system.forcing()->frequency;
+    turn(system.forcing()->frequency, generator_);
     rate_ = Matrix::Zero(size(), size());
     rate_.middleRows(n_, n_) = projection_rate * forces + projection * forces_rate;
-    rate_(2 * n_, 2 * n_ + 1) = -tangent.forcing()->frequency;
-    rate_(2 * n_ + 1, 2 * n_) = tangent.forcing()->frequency;
+    turn(tangent.forcing()->frequency, rate_);
     stretch_ = -tangent.forcing()->frequency / system.forcing()->frequency;
     frequency_ = system.forcing()->frequency;
   }
@@ -123,25 +122,51 @@ class ConstrainedGenerator {
     Vector both = Vector::Zero(2 * m);
     both.segment(0, n_) = rates_.cwiseProduct(column.q.col(0));
     both.segment(n_, n_) = column.qdot.col(0);
-    both[2 * n_] = -frequency_ * std::sin(theta) * column.delay[0];
-    both[2 * n_ + 1] = frequency_ * std::cos(theta) * column.delay[0];
     both.segment(m, n_) = rates_.cwiseProduct(start.q);
     both.segment(m + n_, n_) = start.qdot;
-    both.tail(3) << std::cos(theta), std::sin(theta), 1.0;
+    both[m + 2 * n_ + 2] = 1.0;
+    for (std::size_t k = 0; k < orders_.size(); ++k) {
+      const double c = std::cos(orders_[k] * theta), n = std::sin(orders_[k] * theta);
+      both.segment(m + place(k), 2) << c, n;
+      both.segment(place(k), 2) << -n, c;
+      both.segment(place(k), 2) *= orders_[k] * frequency_ * column.delay[0];
+    }
     const Vector added = exponential_less_one(s, both);
     return {{added.segment(0, n_).cwiseQuotient(rates_), added.segment(n_, n_), column.delay},
             added.segment(m, n_).cwiseQuotient(rates_)};
   }
 
  private:
-  Eigen::Index size() const { return 2 * n_ + 3; }
+  static std::vector<double> orders_of(const System& system) {
+    std::vector<double> orders{1.0};
+    if (system.harmonics())
+      for (const Harmonic& one : *system.harmonics()) orders.push_back(one.order);
+    return orders;
+  }
+  Eigen::Index place(std::size_t k) const {
+    return k == 0 ? 2 * n_ : 2 * n_ + 1 + 2 * static_cast<Eigen::Index>(k);
+  }
+  Eigen::Index size() const { return 2 * n_ + 1 + 2 * static_cast<Eigen::Index>(orders_.size()); }
+  void turn(double frequency, Matrix& generator) const {
+    for (std::size_t k = 0; k < orders_.size(); ++k) {
+      generator(place(k), place(k) + 1) = -orders_[k] * frequency;
+      generator(place(k) + 1, place(k)) = orders_[k] * frequency;
+    }
+  }
+  void add_forcing(const HarmonicForcing& forcing, Matrix& forces) const {
+    forces.col(place(0)) = forcing.amplitude;
+    for (std::size_t k = 0; k < forcing.harmonics.size(); ++k) {
+      forces.col(place(k + 1)) = forcing.harmonics[k].cosine;
+      forces.col(place(k + 1) + 1) = forcing.harmonics[k].sine;
+    }
+  }
 
-  // N x (2N + 3)
+  // N x size()
   Matrix forces_of(const System& system) const {
     Matrix forces = Matrix::Zero(n_, size());
     forces.leftCols(n_) = (-system.omega.cwiseAbs2().cwiseQuotient(rates_)).asDiagonal();
     forces.middleCols(n_, n_) = -system.damping();
-    forces.col(2 * n_) = system.forcing()->amplitude;
+    add_forcing(*system.forcing(), forces);
     if (system.load()) forces.col(2 * n_ + 2) = *system.load();
     return forces;
   }
@@ -151,7 +176,7 @@ class ConstrainedGenerator {
     forces.leftCols(n_) =
         (-2.0 * system.omega.cwiseProduct(tangent.omega).cwiseQuotient(rates_)).asDiagonal();
     forces.middleCols(n_, n_) = -tangent.damping();
-    forces.col(2 * n_) = tangent.forcing()->amplitude;
+    add_forcing(*tangent.forcing(), forces);
     if (tangent.load()) forces.col(2 * n_ + 2) = *tangent.load();
     return forces;
   }
@@ -174,6 +199,7 @@ class ConstrainedGenerator {
 
   Eigen::Index n_;
   Vector rates_;  // rad/s, N
+  std::vector<double> orders_;
   Matrix generator_, rate_;
   double stretch_ = 0.0, frequency_ = 0.0;
 };
@@ -183,7 +209,7 @@ class ConstrainedGenerator {
 ParameterGrowth parameter_growth(const System& system, const System& tangent,
                                  const ExactPhase<double>& phase, const State& start, double theta,
                                  double s, const Deviations& column) {
-  if (phase.closed().empty() && !system.coupling() && !tangent.coupling())
+  if (phase.closed().empty() && system.has_closed_forms() && !tangent.coupling())
     return free_growth(system, tangent, phase, start, theta, s, column);
   return ConstrainedGenerator(system, tangent, phase.closed()).growth(start, theta, s, column);
 }

@@ -17,26 +17,68 @@ namespace {
 namespace odeint = boost::numeric::odeint;
 using step_walk::Sprung;
 
+// Coordinates of the structure and of the harmonics beside the first.
+Eigen::Index whole_size(const System& system) {
+  return system.modes() +
+         static_cast<Eigen::Index>(system.harmonics() ? system.harmonics()->size() : 0);
+}
+
 // The equations that the phase integrates, in all coordinates though stops hold the structure: q''
-// = P f. Returns nullopt when no stop is closed.
+// = P f; behind them those of the harmonics. Returns nullopt when no stop is closed.
 std::optional<SprungSystem> constrained_system(const System& system, const SpringArc& phase) {
   if (phase.closed().empty()) return {};
   SprungSystem sprung = phase.equations;
+  const ConstrainedStructure<double>& structure = phase.structure;
   const Matrix held = held_projection(system, phase.closed());
-  const Vector none = Vector::Zero(system.modes());
-  sprung.stiffness = held * system.omega.cwiseAbs2().asDiagonal();
-  sprung.damping = held * system.damping();
-  sprung.load = system.load() ? Vector(held * *system.load()) : none;
-  sprung.force = system.forcing() ? Vector(held * system.forcing()->amplitude) : none;
+  const Eigen::Index n = system.modes(), all = whole_size(system);
+  sprung.stiffness = sprung.damping = Matrix::Zero(all, all);
+  sprung.load = sprung.force = Vector::Zero(all);
+  sprung.stiffness.topLeftCorner(n, n) = held * system.omega.cwiseAbs2().asDiagonal();
+  sprung.damping.topLeftCorner(n, n) = held * system.damping();
+  if (system.load()) sprung.load.head(n) = held * *system.load();
+  if (system.forcing()) sprung.force.head(n) = held * system.forcing()->amplitude;
+  for (Eigen::Index k = n; k < all; ++k) {
+    const auto place = static_cast<std::size_t>(k - n);
+    const Harmonic& one = (*system.harmonics())[place];
+    const double w = structure.reduced.omega[structure.drive(place)], unit = structure.units[place];
+    sprung.stiffness.col(k).head(n) = -held * one.cosine / unit;
+    sprung.damping.col(k).head(n) = held * one.sine / (unit * w);
+    sprung.stiffness(k, k) = w * w;
+  }
   sprung.frequency = system.forcing() ? system.forcing()->frequency : 0.0;
   sprung.powers.reset();
   const std::vector<int> springs = phase.springs().all();
   for (std::size_t i = 0; i < springs.size(); ++i) {
     const Vector& row = system.stops[static_cast<std::size_t>(springs[i])].row;
-    sprung.springs[i].row = row;
-    sprung.springs[i].acting = held * row;
+    sprung.springs[i].row = sprung.springs[i].acting = Vector::Zero(all);
+    sprung.springs[i].row.head(n) = row;
+    sprung.springs[i].acting.head(n) = held * row;
   }
   return sprung;
+}
+
+// A state, or its deviations, with the coordinates of the harmonics behind it.
+State whole_state(const System& system, const SpringArc& phase, const State& start, double theta) {
+  const ConstrainedStructure<double>& structure = phase.structure;
+  const Eigen::Index n = system.modes(), all = whole_size(system);
+  if (all == n) return start;
+  const Vector y = structure.coordinates(start.q, theta), ydot = structure.rates(start.qdot, theta);
+  State whole{Vector(all), Vector(all)};
+  whole.q << start.q, y.tail(all - n);
+  whole.qdot << start.qdot, ydot.tail(all - n);
+  return whole;
+}
+
+Deviations whole_deviations(const System& system, const Deviations& of) {
+  const Eigen::Index n = system.modes(), all = whole_size(system);
+  Deviations whole{Matrix::Zero(all, of.count()), Matrix::Zero(all, of.count()), of.delay};
+  whole.q.topRows(n) = of.q;
+  whole.qdot.topRows(n) = of.qdot;
+  return whole;
+}
+
+Deviations own_part(const System& system, const Deviations& whole) {
+  return {whole.q.topRows(system.modes()), whole.qdot.topRows(system.modes()), whole.delay};
 }
 
 // The inhomogeneous terms of the equations of a derivative by a parameter.
@@ -48,14 +90,15 @@ struct Source {
   Matrix held{}, held_rate{};
 
   // Terms of the velocities and of the accelerations, per unit of the parameter, at displacements
-  // q, velocities v, accelerations a, and cos(theta).
-  void at(const Vector& q, const Vector& v, const Vector& a, double cosine, const SprungSystem& own,
+  // q, velocities v, accelerations a, and the phase theta, of the structure's own coordinates. At
+  // equal phases harmonics do not deviate.
+  void at(const Vector& q, const Vector& v, const Vector& a, double theta, const SprungSystem& own,
           const std::vector<Sprung::Compression>& contacts, Vector& velocity,
           Vector& acceleration) const {
     // Times stretch where the frequency moves: instants are compared at equal phases.
     const double stretch = -tangent.forcing()->frequency / system.forcing()->frequency;
     velocity = stretch * v;
-    Vector push = tangent.forcing()->amplitude * cosine -
+    Vector push = tangent.forcing()->at(theta) -
                   2.0 * (tangent.delta().cwiseProduct(v) +
                          system.omega.cwiseProduct(tangent.omega).cwiseProduct(q));
     if (tangent.coupling()) push -= *tangent.coupling() * v;
@@ -67,13 +110,13 @@ struct Source {
       const double x = contacts[i].depth, u = contacts[i].rate;
       double force = law.by_depth(x, u) * depth_rate(i, q) + law.by_rate(x, u) * rate.row.dot(v);
       if (rate.is_compliant()) force += law.rate_at(x, u, rate.force());
-      push -= force * own.springs[i].row + law.at(x, u) * rate.row;
+      push -= force * own.springs[i].row.head(q.size()) + law.at(x, u) * rate.row;
     }
     acceleration = stretch * a;
     if (held.size() == 0)
       acceleration += push;
     else
-      acceleration += held * push + held_rate * unheld(q, v, cosine, own, contacts);
+      acceleration += held * push + held_rate * unheld(q, v, theta, own, contacts);
   }
   // Of the depth of a spring at the displacements q.
   double depth_rate(std::size_t spring, const Vector& q) const {
@@ -85,14 +128,15 @@ struct Source {
     return tangent.stops[static_cast<std::size_t>(springs[i])];
   }
   // The forces on the structure except those of its closed stops.
-  Vector unheld(const Vector& q, const Vector& v, double cosine, const SprungSystem& own,
+  Vector unheld(const Vector& q, const Vector& v, double theta, const SprungSystem& own,
                 const std::vector<Sprung::Compression>& contacts) const {
-    Vector push = system.forcing()->amplitude * cosine - system.resistance(v) -
+    Vector push = system.forcing()->at(theta) - system.resistance(v) -
                   system.omega.cwiseAbs2().cwiseProduct(q);
     if (system.load()) push += *system.load();
     for (std::size_t i = 0; i < contacts.size(); ++i)
       if (own.springs[i].loaded)
-        push -= own.springs[i].law.at(contacts[i].depth, contacts[i].rate) * own.springs[i].row;
+        push -= own.springs[i].law.at(contacts[i].depth, contacts[i].rate) *
+                own.springs[i].row.head(q.size());
     return push;
   }
 };
@@ -199,7 +243,8 @@ class Varied {
     motion_(z_, slope_, 0.0);
     const Vector rate = pace();
     later_ = rows_[spring].transpose() * columns.topRows(n);
-    if (source_) later_[0] += source_->depth_rate(spring, start_) / sizes_[0];
+    if (source_)
+      later_[0] += source_->depth_rate(spring, start_.head(source_->system.modes())) / sizes_[0];
     later_ /= rows_[spring].dot(rate.head(n));
     columns -= rate * later_;
   }
@@ -214,14 +259,15 @@ class Varied {
   }
 
   void add_source(double s, Eigen::Map<Matrix>& rates) {
-    const Eigen::Index n = start_.size();
+    const Eigen::Index n = start_.size(), own = source_->system.modes();
     const double u = motion_.unit();
-    const Eigen::Map<const Vector> moved(z_.data(), n), velocity(z_.data() + n, n),
-        acceleration(slope_.data() + n, n);
-    source_->at(start_ + u * moved.cwiseQuotient(motion_.scale()), u * velocity, u * acceleration,
-                std::cos(theta_ + system_.frequency * s), system_, contacts_, drift_, push_);
-    rates.col(0).head(n) += motion_.scale().cwiseProduct(drift_) / sizes_[0];
-    rates.col(0).tail(n) += push_ / sizes_[0];
+    const Eigen::Map<const Vector> moved(z_.data(), own), velocity(z_.data() + n, own),
+        acceleration(slope_.data() + n, own);
+    const auto scale = motion_.scale().head(own);
+    source_->at(start_.head(own) + u * moved.cwiseQuotient(scale), u * velocity, u * acceleration,
+                theta_ + system_.frequency * s, system_, contacts_, drift_, push_);
+    rates.col(0).head(own) += scale.cwiseProduct(drift_) / sizes_[0];
+    rates.col(0).segment(n, own) += push_ / sizes_[0];
   }
 
   const SprungSystem& system_;
@@ -270,11 +316,13 @@ Deviations sprung_deviations(const System& system, const SpringArc& phase, const
                              double theta, double s, const Deviations& deviations) {
   const std::optional<SprungSystem> held = constrained_system(system, phase);
   Varied varied(held ? *held : phase.equations, nullptr);
-  const Deviations none{Matrix(start.q.size(), 0), Matrix(start.q.size(), 0), {}};
-  varied.begin(start, theta, phase.depths, none, Vector(0));
-  const Vector sizes = sizes_of(deviations, varied.scale());
-  Varied::State whole = varied.begin(start, theta, phase.depths, deviations, sizes);
-  return varied.end(integrate(varied, std::move(whole), s), s);
+  const State from = whole_state(system, phase, start, theta);
+  const Deviations all = whole_deviations(system, deviations);
+  const Deviations none{Matrix(from.q.size(), 0), Matrix(from.q.size(), 0), {}};
+  varied.begin(from, theta, phase.depths, none, Vector(0));
+  const Vector sizes = sizes_of(all, varied.scale());
+  Varied::State whole = varied.begin(from, theta, phase.depths, all, sizes);
+  return own_part(system, varied.end(integrate(varied, std::move(whole), s), s));
 }
 
 Deviations sprung_parameter_deviation(const System& system, const System& tangent,
@@ -290,15 +338,16 @@ Deviations sprung_parameter_deviation(const System& system, const System& tangen
   }
   const std::optional<SprungSystem> held = constrained_system(system, phase);
   Varied varied(held ? *held : phase.equations, &source);
+  const State from = whole_state(system, phase, start, theta);
+  const Deviations all = whole_deviations(system, column);
   const auto follow = [&](const Vector& sizes) {
-    return varied.end(integrate(varied, varied.begin(start, theta, phase.depths, column, sizes), s),
-                      s);
+    return varied.end(integrate(varied, varied.begin(from, theta, phase.depths, all, sizes), s), s);
   };
   // The size of a deviation is known only once it has been followed: first with the steps that the
   // motion alone needs.
   const Deviations rough = follow(Vector::Constant(1, std::numeric_limits<double>::max()));
-  const Vector size = sizes_of(rough, varied.scale()).cwiseMax(sizes_of(column, varied.scale()));
-  return follow(size);
+  const Vector size = sizes_of(rough, varied.scale()).cwiseMax(sizes_of(all, varied.scale()));
+  return own_part(system, follow(size));
 }
 
 }  // namespace graze

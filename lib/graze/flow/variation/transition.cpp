@@ -170,7 +170,7 @@ Matrix FlowMatrix::times(const Matrix& right) const {
 State vector_field(const System& system, const State& state, double theta) {
   Vector acceleration =
       -system.resistance(state.qdot) - system.omega.cwiseAbs2().cwiseProduct(state.q);
-  if (system.forcing()) acceleration += system.forcing()->amplitude * std::cos(theta);
+  if (system.forcing()) acceleration += system.forcing()->at(theta);
   if (system.load()) acceleration += *system.load();
   return {state.qdot, acceleration};
 }

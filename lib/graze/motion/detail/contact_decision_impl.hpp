@@ -171,13 +171,12 @@ template <class Real>
 Real Motion<Real>::free_acceleration(Eigen::Index j, const Real& cosine, Real* size) const {
   using std::abs;
   const Real load = linear_.load.size() > 0 ? linear_.load[j] : Real(0);
-  const Real force = linear_.forced ? Real(linear_.amplitude[j] * cosine) : Real(0);
+  const Real force = linear_.force(j, cosine, clock_.phase(now_.instant));
   Real damping = 2 * linear_.delta[j] * now_.qdot[j];
   if (linear_.coupling.size() > 0) damping += linear_.coupling.row(j).dot(now_.qdot);
   const Real stiffness = linear_.omega[j] * linear_.omega[j] * now_.q[j];
   if (size)
-    *size = abs(load) + (linear_.forced ? Real(abs(linear_.amplitude[j])) : Real(0)) +
-            abs(damping) + abs(stiffness);
+    *size = abs(load) + linear_.force_size(j) + abs(damping) + abs(stiffness);
   return load + force - damping - stiffness;
 }
 
@@ -248,7 +247,7 @@ bool Motion<Real>::decide_resting(const std::vector<int>& resting) {
 template <class Real>
 Real Motion<Real>::quickest_rate() const {
   using std::max;
-  Real rate = linear_.forced ? linear_.frequency : Real(0);
+  Real rate = linear_.forced ? linear_.highest_frequency() : Real(0);
   for (Eigen::Index j = 0; j < linear_.omega.size(); ++j)
     rate = max(rate, max<Real>(linear_.omega[j], 2 * linear_.delta[j]));
   return linear_.coupling.size() > 0 ? Real(rate + linear_.coupling.norm()) : rate;

@@ -145,7 +145,8 @@ RealVector<Real> Motion<Real>::located_size() const {
     size[j] = linear_.omega[j] * linear_.omega[j] * place + 2 * linear_.delta[j] * speed;
     if (linear_.coupling.size() > 0) size[j] += linear_.coupling.row(j).norm() * speed;
     if (linear_.forced)
-      size[j] += linear_.frequency * (now_.instant.local + vanished_) * abs(linear_.amplitude[j]);
+      size[j] += linear_.highest_frequency() * (now_.instant.local + vanished_) *
+                 linear_.force_size(j);
   }
   for (const int i : compliant_) {
     if (contact(i) != Contact::kCompressed) continue;

@@ -172,7 +172,7 @@ std::vector<bool> Motion<Real>::moving_modes() const {
   const RealVector<Real> acceleration = free_acceleration();
   for (Eigen::Index j = 0; j < n; ++j)
     moves[static_cast<std::size_t>(j)] =
-        now_.qdot[j] != 0 || acceleration[j] != 0 || (linear_.forced && linear_.amplitude[j] != 0);
+        now_.qdot[j] != 0 || acceleration[j] != 0 || linear_.force_size(j) != 0;
   // Each pass couples at least one stop.
   std::vector<int> apart;
   for (const int i : all_)

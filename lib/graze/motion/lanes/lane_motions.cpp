@@ -22,7 +22,7 @@ LaneSet bit(std::size_t lane) { return LaneSet{1} << lane; }
 }  // namespace
 
 bool has_lane(const System& system, const ExactFlow<double>& flow) {
-  if (!system.forcing() || system.coupling() || system.modes() > kMostLaneModes ||
+  if (!system.forcing() || !system.has_closed_forms() || system.modes() > kMostLaneModes ||
       system.stops.empty() || system.stops.size() > kMostLaneStops)
     return false;
   double reach = 0.0;

@@ -41,7 +41,16 @@ double falling_push(const System& system, const SegmentLayout& layout, const Sta
   const State rate = held_rate(system, held, at, theta);
   System moved = system;
   if (moved.load()) moved.modal().load->setZero();
-  moved.modal().forcing->amplitude *= system.forcing()->frequency;
+  // Of a quarter turn later, where the rate of each harmonic is its force here.
+  const double frequency = system.forcing()->frequency;
+  moved.modal().forcing->amplitude *= frequency;
+  for (Harmonic& one : moved.modal().forcing->harmonics) {
+    const double c = std::cos(0.5 * std::numbers::pi * one.order),
+                 n = std::sin(0.5 * std::numbers::pi * one.order);
+    const Vector cosine = one.order * frequency * (n * one.cosine + c * one.sine);
+    one.sine = one.order * frequency * (n * one.sine - c * one.cosine);
+    one.cosine = cosine;
+  }
   const Vector jerk =
       held_rate(moved, held, {rate.q, rate.qdot}, theta + 0.5 * std::numbers::pi).qdot;
   return -system.stops[static_cast<std::size_t>(*layout.released)].row.dot(jerk);

@@ -16,7 +16,7 @@ namespace {
 
 // Sum of the sizes of all terms of a push, m/s^2.
 double push_scale(const System& system, const Stop& stop) {
-  double scale = stop.row.cwiseAbs().dot(system.forcing()->amplitude.cwiseAbs());
+  double scale = stop.row.cwiseAbs().dot(system.forcing()->size());
   if (system.load()) scale += stop.row.cwiseAbs().dot(system.load()->cwiseAbs());
   return scale > 0.0 ? scale : 1.0;
 }
@@ -108,15 +108,15 @@ SegmentShooting::Force SegmentShooting::force(const System& system, const Vector
   const Vector share = contact_share(system, layout_.closed).row(place);
   const Vector stiffness = system.omega.cwiseAbs2();
   const Vector &q = chart.state.q, &qdot = chart.state.qdot;
-  const double c = std::cos(theta_of(u)), n = std::sin(theta_of(u));
+  const double theta = theta_of(u);
   Vector acceleration =
-      system.forcing()->amplitude * c - system.resistance(qdot) - stiffness.cwiseProduct(q);
+      system.forcing()->at(theta) - system.resistance(qdot) - stiffness.cwiseProduct(q);
   if (system.load()) acceleration += *system.load();
   const std::vector<PressedSpring> springs = springs_at(system, chart.state);
   for (const PressedSpring& spring : springs) acceleration -= spring.force * spring.stop->row;
   Force result;
   result.value = share.dot(acceleration) / push_;
-  result.by_theta = -share.dot(system.forcing()->amplitude) * n / push_;
+  result.by_theta = share.dot(system.forcing()->rate_at(theta)) / push_;
   result.by_x.resize(map_.size());
   Vector by_velocity = 2.0 * share.cwiseProduct(system.delta());
   if (system.coupling()) by_velocity += system.coupling()->transpose() * share;
@@ -134,7 +134,7 @@ SegmentShooting::Force SegmentShooting::force(const System& system, const Vector
     const System& tangent = *tangents[k];
     const State rate = map_.chart_rate(system, tangent, chart.state);
     const Vector share_rate = contact_share_rate(system, tangent, layout_.closed).row(place);
-    Vector acceleration_rate = tangent.forcing()->amplitude * c - tangent.resistance(qdot) -
+    Vector acceleration_rate = tangent.forcing()->at(theta) - tangent.resistance(qdot) -
                                2.0 * system.omega.cwiseProduct(tangent.omega).cwiseProduct(q) -
                                system.resistance(rate.qdot) - stiffness.cwiseProduct(rate.q);
     if (tangent.load()) acceleration_rate += *tangent.load();

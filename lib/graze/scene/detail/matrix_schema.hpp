@@ -13,7 +13,7 @@ inline constexpr const char* kSpringEnds = "a list of two masses by their number
 // In a scene made in code it may stand beside another forcing.
 inline Key of_load(const Key& key, const Scene& scene, const char* refusal) {
   return key
-      .where(scene.forcing && scene.forcing->kind == ForcingKind::kModal,
+      .where(scene.has_load(ForcingKind::kModal),
              scene.forcing ? refusal : "there is no [forcing] that it is for, it must be left out")
       .or_ignored();
 }

@@ -56,13 +56,19 @@ class NumberVisitor : public SchemaVisitor {
     if (value && (all_ || key.is_varied)) descend(path_ + key.name, *value);
   }
   void tables(const TableKey& key, auto& values) {
-    std::size_t k = 0;
-    if (!all_ && !key.is_varied) return;
-    for (auto& value : values) descend(path_ + numbered_path(key.name, ++k), value);
+    visit_list(key, 0, values);
+  }
+  void leading(const TableKey& key, auto&& first, auto& others) {
+    table(key, first);
+    visit_list(key, 1, others);
   }
 
  private:
   bool is_meant(const Key& key) const { return key.applies && (all_ || key.is_parameter); }
+  void visit_list(const TableKey& key, std::size_t before, auto& values) {
+    if (!all_ && !key.is_varied) return;
+    for (auto& value : values) descend(path_ + numbered_path(key.name, ++before), value);
+  }
   void descend(const std::string& path, auto& value) {
     NumberVisitor inner(scene_, f_, path + ".", all_);
     describe(inner, value, scene_);

@@ -188,7 +188,7 @@ class Reference {
 }  // namespace
 
 bool is_followed_by_steps(const System& system) {
-  return system.turns() || system.coupling() ||
+  return system.turns() || !system.has_closed_forms() ||
          std::any_of(system.stops.begin(), system.stops.end(), [](const Stop& stop) {
            return stop.is_compliant() && !stop.force().is_of_one_piece();
          });

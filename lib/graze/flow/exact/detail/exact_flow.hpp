@@ -38,12 +38,61 @@ struct LinearSystem {
   // sqrt(kg); 0 where all gaps are 0, infinite without stops.
   Real reach = 0;
   RealMatrix<Real> coupling{};  // beside delta (NaturalModes), 1/s; empty: none
+  std::vector<Harmonic> harmonics{};  // of the force, beside the first
+
+  // The harmonic force on mode j where the first harmonic has this cosine, and a bound on its size.
+  Real force(Eigen::Index j, const Real& cosine, const Real& theta) const {
+    using std::cos, std::sin;
+    if (!forced) return 0;
+    Real sum = amplitude[j] * cosine;
+    for (const Harmonic& one : harmonics) {
+      const Real angle = one.order * theta;
+      sum += one.cosine[j] * cos(angle) + one.sine[j] * sin(angle);
+    }
+    return sum;
+  }
+  Real force_size(Eigen::Index j) const {
+    using std::abs;
+    if (!forced) return 0;
+    Real sum = abs(amplitude[j]);
+    for (const Harmonic& one : harmonics) sum += std::abs(one.cosine[j]) + std::abs(one.sine[j]);
+    return sum;
+  }
+  // The same of all modes, with its derivative by theta.
+  RealVector<Real> forces(const Real& theta) const {
+    using std::cos, std::sin;
+    RealVector<Real> sum = amplitude * cos(theta);
+    for (const Harmonic& one : harmonics)
+      sum += one.cosine.template cast<Real>() * cos(Real(one.order * theta)) +
+             one.sine.template cast<Real>() * sin(Real(one.order * theta));
+    return sum;
+  }
+  RealVector<Real> force_rates(const Real& theta) const {
+    using std::cos, std::sin;
+    RealVector<Real> sum = -amplitude * sin(theta);
+    for (const Harmonic& one : harmonics)
+      sum += Real(one.order) * (one.sine.template cast<Real>() * cos(Real(one.order * theta)) -
+                                one.cosine.template cast<Real>() * sin(Real(one.order * theta)));
+    return sum;
+  }
+  RealVector<Real> force_sizes() const {
+    RealVector<Real> sum = amplitude.cwiseAbs();
+    for (const Harmonic& one : harmonics)
+      sum += (one.cosine.cwiseAbs() + one.sine.cwiseAbs()).template cast<Real>();
+    return sum;
+  }
+  // Of the quickest harmonic, rad/s.
+  Real highest_frequency() const {
+    int order = 1;
+    for (const Harmonic& one : harmonics) order = std::max(order, one.order);
+    return order * frequency;
+  }
 };
 
 template <class Real>
 LinearSystem<Real> linear_system(const System& system) {
   LinearSystem<Real> linear{
-      system.omega.template cast<Real>(), {}, system.forcing() != nullptr, 0, 0, {}, {}, 0, {}};
+      system.omega.template cast<Real>(), {}, system.forcing() != nullptr, 0, 0, {}, {}, 0, {}, {}};
   // A hub couples the damping of its modes, and their flow is not this one.
   if (system.turns())
     linear.delta.setZero(system.modes());
@@ -54,6 +103,7 @@ LinearSystem<Real> linear_system(const System& system) {
     linear.phase = near_zero(Real(system.forcing()->phase));
     linear.amplitude = system.forcing()->amplitude.template cast<Real>();
   }
+  if (system.harmonics()) linear.harmonics = *system.harmonics();
   if (system.coupling()) linear.coupling = system.coupling()->template cast<Real>();
   if (system.load()) linear.load = system.load()->template cast<Real>();
   if (system.stops.empty()) linear.reach = std::numeric_limits<Real>::infinity();

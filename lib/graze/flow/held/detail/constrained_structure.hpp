@@ -11,6 +11,11 @@
 // real modes, those of the structure held at its stops, and everything that holds in free flight
 // holds here; otherwise see couple(). Without closed stops damping may couple the modes all the
 // same.
+//
+// Under several harmonics the system is followed with one more coordinate for each harmonic beside
+// the first, z = unit cos(order theta), which nothing moves: z'' = -(order W)^2 z, and z and z'
+// press on the structure. So these forces are part of the free motion, whatever holds the structure
+// or damps it.
 #pragma once
 
 #include <vector>
@@ -26,14 +31,33 @@ struct ConstrainedStructure {
   // and the members that may be empty are.
   ConstrainedStructure(const System& system, std::vector<int> constrained);
 
-  bool is_free() const { return constrained.empty(); }
+  bool is_free() const { return constrained.empty() && whole.harmonics.empty(); }
   Eigen::Index size() const { return reduced.omega.size(); }  // of y, m
-  // y and y' of a state, and back.
-  RealVector<Real> coordinates(const RealVector<Real>& q) const {
-    return is_free() ? q : RealVector<Real>(basis.transpose() * (q - rest));
+  // y and y' of a state at forcing phase theta, and back.
+  RealVector<Real> coordinates(const RealVector<Real>& q, const Real& theta) const {
+    using std::cos;
+    if (is_free()) return q;
+    RealVector<Real> y = basis.transpose() * (q - rest);
+    for (std::size_t k = 0; k < whole.harmonics.size(); ++k)
+      y[drive(k)] = units[k] * cos(Real(whole.harmonics[k].order * theta));
+    return y;
   }
-  RealVector<Real> rates(const RealVector<Real>& qdot) const {
-    return is_free() ? qdot : RealVector<Real>(basis.transpose() * qdot);
+  RealVector<Real> rates(const RealVector<Real>& qdot, const Real& theta) const {
+    using std::sin;
+    if (is_free()) return qdot;
+    RealVector<Real> ydot = basis.transpose() * qdot;
+    for (std::size_t k = 0; k < whole.harmonics.size(); ++k)
+      ydot[drive(k)] = -units[k] * reduced.omega[drive(k)] *
+                       sin(Real(whole.harmonics[k].order * theta));
+    return ydot;
+  }
+  // What the structure sees of a row or of a rate of its state: nothing of the harmonics.
+  RealVector<Real> seen(const RealVector<Real>& row) const {
+    return is_free() ? row : RealVector<Real>(basis.transpose() * row);
+  }
+  // The place of harmonic k in y.
+  Eigen::Index drive(std::size_t k) const {
+    return size() - static_cast<Eigen::Index>(whole.harmonics.size() - k);
   }
   RealVector<Real> displacements(const RealVector<Real>& y) const {
     return is_free() ? y : RealVector<Real>(rest + basis * y);
@@ -57,11 +81,12 @@ struct ConstrainedStructure {
   RealMatrix<Real> basis;      // U, N x m
   RealVector<Real> rest;       // q_c
   LinearSystem<Real> reduced;  // its real modes; where there are none, only their frequencies
-  bool has_real_modes = true;
+  bool has_real_modes = true;  // not under several harmonics
   bool is_normal = true;       // impulses act along the rows
   RealMatrix<Real> stretched;  // w U, as it was decomposed
   Matrix left;                 // left inverse of U that is orthogonal to oblique directions
                                // (couple()); empty where there are none
+  std::vector<Real> units;     // of the coordinates of harmonics, kg^1/2 m
 
  private:
   void reduce(const System& system);

@@ -77,12 +77,16 @@ RealVector<Real> along_each(const RealMatrix<Real>& directions, const RealVector
 template <class Real>
 ConstrainedStructure<Real>::ConstrainedStructure(const System& system, std::vector<int> list)
     : constrained(std::move(list)), whole(linear_system<Real>(system)) {
-  if (is_free()) {
-    reduced = whole;
-    has_real_modes = whole.coupling.size() == 0;
-  } else {
+  if (!constrained.empty()) {
     reduce(system);
+    has_real_modes = has_real_modes && whole.harmonics.empty();
+    return;
   }
+  reduced = whole;
+  has_real_modes = whole.coupling.size() == 0 && whole.harmonics.empty();
+  if (is_free()) return;
+  basis = RealMatrix<Real>::Identity(whole.omega.size(), whole.omega.size());
+  rest = RealVector<Real>::Zero(whole.omega.size());
 }
 
 // Coordinates in which the held structure has real modes: U = Q V, Q an orthonormal basis of what
@@ -195,6 +199,14 @@ std::vector<Observable<Real>> ConstrainedStructure<Real>::observables(const Syst
       seen.displacement = is_gap ? along_each<Real>(basis, seen.displacement)
                                  : transposed_image<Real>(basis, seen.displacement);
       if (seen.velocity.size() > 0) seen.velocity = transposed_image<Real>(basis, seen.velocity);
+    }
+    for (std::size_t k = 0; k < whole.harmonics.size() && !is_gap; ++k) {
+      const Harmonic& one = whole.harmonics[k];
+      const Real unit = row.squaredNorm() * units[k];
+      seen.displacement[drive(k)] +=
+          along<Real>(shares.col(column), one.cosine.template cast<Real>()) / unit;
+      seen.velocity[drive(k)] -= along<Real>(shares.col(column), one.sine.template cast<Real>()) /
+                                 (unit * reduced.omega[drive(k)]);
     }
     list.push_back(std::move(seen));
   }

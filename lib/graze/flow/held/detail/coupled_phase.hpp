@@ -15,7 +15,7 @@ class CoupledPhase : public ExactPhase<double> {
 
   // Damping takes energy; growth can only come from an oblique law.
   std::string refusal() const override {
-    return structure().is_free() ? std::string() : flow_.instability();
+    return structure().constrained.empty() ? std::string() : flow_.instability();
   }
   void start(const double& theta, const Vector& q, const Vector& qdot, const double& time) override;
   void state(const double& s, Vector& q, Vector& qdot) const override;

@@ -101,7 +101,7 @@ Real ExactPhase<Real>::force_at(int stop, const Real& s, const RealVector<Real>&
                                 const RealVector<Real>& qdot) const {
   const Real theta = start_phase() + structure_.reduced.frequency * s;
   return observed<Real>(observables_[static_cast<std::size_t>(stop)], theta,
-                        structure_.coordinates(q), structure_.rates(qdot))
+                        structure_.coordinates(q, theta), structure_.rates(qdot, theta))
       .value;
 }
 
@@ -172,7 +172,7 @@ template <class Real>
 void ConstrainedPhase<Real>::start(const Real& theta, const RealVector<Real>& q,
                                    const RealVector<Real>& qdot, const Real& /*time*/) {
   this->forget_curves();
-  arc_.start(theta, this->structure().coordinates(q), this->structure().rates(qdot));
+  arc_.start(theta, this->structure().coordinates(q, theta), this->structure().rates(qdot, theta));
 }
 
 template <class Real>

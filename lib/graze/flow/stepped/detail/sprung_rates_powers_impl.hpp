@@ -15,6 +15,12 @@ inline void Sprung::add_powers(const State& z, const Vector& resistance, double 
   if (system_.frequency > 0.0)
     slope[place(kForcing)] =
         unit / unit_ * cosine * (powers ? powers->forcing : system_.force).dot(velocity);
+  if (powers && powers->by_place.size() > 0) {
+    const Eigen::Map<const Vector> moved(z.data(), n);
+    slope[place(kForcing)] +=
+        unit * velocity.dot(powers->by_place * (from_ / unit_ + moved.cwiseQuotient(scale_)) +
+                            powers->by_rate * velocity);
+  }
   slope[place(kDissipation)] =
       unit * (powers ? velocity.dot(powers->damping * velocity) : velocity.dot(resistance));
   if (!powers) return;

@@ -92,11 +92,13 @@ struct SprungSystem {
     Watch force;
     Vector against;
   };
-  // Powers of the forcing, forcing.y' cos(theta), and of the damping, y'.(damping y'), where they
-  // are not those of `force` and D.
+  // Powers of the forcing, y'.(forcing cos(theta) + by_place y + by_rate y'), and of the damping,
+  // y'.(damping y'), where they are not those of `force` and D. Without further harmonics the
+  // forcing has no such matrices.
   struct Powers {
     Vector forcing;
     Matrix damping;
+    Matrix by_place{}, by_rate{};
     std::vector<Holding> held;
   };
   Matrix stiffness, damping;  // K, D: n x n, or a column of the diagonal

@@ -1,0 +1,28 @@
+#include "graze/system/system.hpp"
+
+#include <cmath>
+
+namespace graze {
+
+Vector HarmonicForcing::at(double theta) const {
+  Vector sum = amplitude * std::cos(theta);
+  for (const Harmonic& one : harmonics)
+    sum += one.cosine * std::cos(one.order * theta) + one.sine * std::sin(one.order * theta);
+  return sum;
+}
+
+Vector HarmonicForcing::rate_at(double theta) const {
+  Vector sum = -amplitude * std::sin(theta);
+  for (const Harmonic& one : harmonics)
+    sum += one.order * (one.sine * std::cos(one.order * theta) -
+                        one.cosine * std::sin(one.order * theta));
+  return sum;
+}
+
+Vector HarmonicForcing::size() const {
+  Vector sum = amplitude.cwiseAbs();
+  for (const Harmonic& one : harmonics) sum += one.cosine.cwiseAbs() + one.sine.cwiseAbs();
+  return sum;
+}
+
+}  // namespace graze
