@@ -13,6 +13,7 @@
 #include "graze/orbit/problem/detail/section_map.hpp"
 #include "graze/orbit/search/finder.hpp"
 #include "graze/orbit/search/settled.hpp"
+#include "graze/scene/parameter.hpp"
 #include "graze/scene/reader.hpp"
 #include "support/contact_laws.hpp"
 #include "support/reference.hpp"
@@ -55,11 +56,17 @@ std::optional<SectionMap::Image> image_of(const SectionMap& map, const System& s
   return map.image(system, x, 0.0, 1, false, std::span(&tangent, tangent ? 1 : 0));
 }
 
+System under_harmonics(System system, double size = 1.0) {
+  system.modal().forcing->harmonics = {
+      {2, size * Vector{{0.8, -0.5, 0.3}}, size * Vector{{0.4, 0.2, -0.6}}},
+      {3, size * Vector{{0.0, 0.9, 0.5}}, size * Vector{{-0.7, 0.0, 0.4}}}};
+  return system;
+}
+
 class SectionMapOf : public ::testing::TestWithParam<ContactForce> {};
 
 // From a state before a contact to one after several, for every entry of it.
-TEST_P(SectionMapOf, SlopesAreThoseOfDifferences) {
-  const System system = three_modes(GetParam());
+void expect_slopes(const System& system) {
   const SectionMap map(system, {}, {});
   const Vector x = map.pack(system, some_state());
   const std::optional<TrajectorySegment> segment = map.follow(system, x, 0.0, 1);
@@ -75,9 +82,14 @@ TEST_P(SectionMapOf, SlopesAreThoseOfDifferences) {
   }
 }
 
+TEST_P(SectionMapOf, SlopesAreThoseOfDifferences) {
+  expect_slopes(three_modes(GetParam()));
+  expect_slopes(under_harmonics(three_modes(GetParam())));
+}
+
 // And for what a scene may move: gap, row, load, frequencies, decay, forcing, and the spring.
-TEST_P(SectionMapOf, ParametersMoveItAsDifferencesSay) {
-  const System system = three_modes(GetParam());
+void expect_parameter_rates(const System& system) {
+  const ContactForce& law = system.stops[0].force();
   const SectionMap map(system, {}, {});
   const Vector x = map.pack(system, some_state());
   struct Case {
@@ -85,7 +97,7 @@ TEST_P(SectionMapOf, ParametersMoveItAsDifferencesSay) {
     std::function<void(System&, double)> move;
     double size;
   };
-  const Case cases[] = {
+  std::vector<Case> cases = {
       {"gap", [](System& s, double h) { s.stops[0].gap += h; }, 1e-2},
       {"row", [](System& s, double h) { s.stops[0].row[1] += h; }, 1.0},
       {"load", [](System& s, double h) { (*s.modal().load)[0] += h; }, 0.2},
@@ -93,26 +105,30 @@ TEST_P(SectionMapOf, ParametersMoveItAsDifferencesSay) {
       {"delta", [](System& s, double h) { s.modal().delta[0] += h; }, 1.0},
       {"amplitude", [](System& s, double h) { s.modal().forcing->amplitude[2] += h; }, 20.0},
       {"frequency", [](System& s, double h) { s.modal().forcing->frequency += h; }, 8.0},
-      {"stiffness", [](System& s, double h) { s.stops[0].force().stiffness += h; },
-       GetParam().stiffness},
+      {"stiffness", [](System& s, double h) { s.stops[0].force().stiffness += h; }, law.stiffness},
       {"exponent", [](System& s, double h) { s.stops[0].force().exponent += h; }, 1.0},
       {"coefficient", [](System& s, double h) { s.stops[0].force().coefficient += h; },
-       std::max(GetParam().coefficient, 1.0)}};
+       std::max(law.coefficient, 1.0)}};
+  if (system.harmonics()) {
+    cases.push_back({"second harmonic",
+                     [](System& s, double h) { s.modal().forcing->harmonics[0].sine[0] += h; }, 10.0});
+    cases.push_back({"third harmonic",
+                     [](System& s, double h) { s.modal().forcing->harmonics[1].cosine[1] += h; }, 10.0});
+  }
   for (const Case& one : cases) {
     SCOPED_TRACE(one.name);
     // The exponent of a law without one below 1 moves to one side only.
-    if (std::string(one.name) == "exponent" && GetParam().exponent == 1.0) continue;
-    if (std::string(one.name) == "coefficient" && GetParam().damping == ContactDamping::kNone)
-      continue;
+    if (std::string(one.name) == "exponent" && law.exponent == 1.0) continue;
+    if (std::string(one.name) == "coefficient" && law.damping == ContactDamping::kNone) continue;
     System tangent = system;
     tangent.omega.setZero();
     tangent.modal().delta.setZero();
     tangent.modal().forcing = HarmonicForcing{0.0, 0.0, Vector::Zero(3)};
+    if (system.harmonics()) tangent = under_harmonics(tangent, 0.0);
     tangent.modal().load = Vector::Zero(3);
     tangent.stops[0].row.setZero();
     tangent.stops[0].gap = 0.0;
-    tangent.stops[0].law =
-        ContactForce{0.0, 0.0, GetParam().damping, 0.0, 0.0, 0.0, GetParam().separation};
+    tangent.stops[0].law = ContactForce{0.0, 0.0, law.damping, 0.0, 0.0, 0.0, law.separation};
     one.move(tangent, 1.0);
     const auto image = image_of(map, system, x, &tangent);
     ASSERT_TRUE(image);
@@ -125,6 +141,35 @@ TEST_P(SectionMapOf, ParametersMoveItAsDifferencesSay) {
         1e-4 * one.size);
     EXPECT_GT(slope.norm(), 0.0);
     EXPECT_LT((slope - image->by_parameters.col(0)).norm(), 2e-6 * slope.norm());
+  }
+}
+
+TEST_P(SectionMapOf, ParametersMoveItAsDifferencesSay) {
+  expect_parameter_rates(three_modes(GetParam()));
+  expect_parameter_rates(under_harmonics(three_modes(GetParam())));
+}
+
+// Every number of a scene with two loads, the phases of both and their common frequency among them,
+// through impacts and sticking.
+TEST(SectionMap, MovesWithEveryNumberOfSeveralLoads) {
+  for (const char* name : {"orders13", "half_order", "orders_plastic", "higher_first"}) {
+    const Scene scene = support::reference_scene(std::string("sticking/") + name);
+    const System system = assemble(scene);
+    const SectionMap map(system, {}, {});
+    const Vector x = map.pack(system, {0.05 * Vector::Ones(system.modes()), 0.1 * Vector::Ones(system.modes())});
+    for (const std::string& parameter : parameter_names(scene)) {
+      SCOPED_TRACE(std::string(name) + " " + parameter);
+      const SystemFamily family(scene, parameter);
+      const double value = family.value();
+      const System tangent = *family.tangent_at(value);
+      const auto image = image_of(map, system, x, &tangent);
+      ASSERT_TRUE(image);
+      const double step = 1e-5 * std::max(std::abs(value), 0.1);
+      if (!family.at(value - step)) continue;
+      const Vector slope =
+          slope_of([&](double h) { return image_of(map, *family.at(value + h), x)->image; }, step);
+      EXPECT_LT((slope - image->by_parameters.col(0)).norm(), 1e-6 * (slope.norm() + x.norm()));
+    }
   }
 }
 

@@ -153,6 +153,14 @@ void remove_other_way(NodeTable& table, const std::string& path, const std::stri
   std::erase_if(table, [&](const Member& member) { return member.key == other; });
 }
 
+// A number makes the one table that is there the first of a list.
+void make_list(NodeTable& table, const std::string& key, std::size_t number) {
+  Node* one = find_member(table, key);
+  if (number == 0 || one == nullptr || one->as<NodeTable>() == nullptr) return;
+  const Place place = one->place;
+  *one = Node{NodeList{std::move(*one)}, place};
+}
+
 // The member, made as `made` where it is missing.
 Node& member_of(NodeTable& table, const std::string& key, Node made) {
   if (Node* member = find_member(table, key)) {
@@ -172,7 +180,12 @@ void set_value(Node& root, const Setting& setting, Node value) {
     if (auto* table = at->as<NodeTable>()) {
       const bool last = k + 1 == parts.size();
       // A name without a number means the first of the tables, and the one after the last is made.
-      const bool tables = is_list_of_tables(joined_path(path, parts[k])) && !last;
+      const std::string here = joined_path(path, parts[k]);
+      if (!last && may_be_list_of_tables(here)) make_list(*table, parts[k], index_of(parts[k + 1]));
+      const Node* present = find_member(*table, parts[k]);
+      const bool tables = !last && (is_list_of_tables(here) ||
+                                    (may_be_list_of_tables(here) && present != nullptr &&
+                                     present->as<NodeList>() != nullptr));
       Node made{NodeTable(), place};
       if (tables) {
         made = Node{NodeList(), place};

@@ -40,6 +40,8 @@ bool is_list_of_tables(const std::string& path) {
   return std::find(std::begin(kLists), std::end(kLists), path) != std::end(kLists);
 }
 
+bool may_be_list_of_tables(const std::string& path) { return path == kMayBeList; }
+
 std::string without_number(const std::string& path) {
   return shortened(path, [](const std::string&) { return true; });
 }

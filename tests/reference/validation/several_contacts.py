@@ -1,6 +1,6 @@
 """Periodic motions with several impacts, or several contacts with springs, at any number of digits.
 
-Modes q_j'' + 2 delta_j q_j' + w_j^2 q_j = f_j A cos(Omega t + psi). A stop at b.q = a (side +1) or b.q = -a (side -1):
+Modes q_j'' + 2 delta_j q_j' + w_j^2 q_j = f_j A cos(Omega t + psi), or a sum of such forces. A stop at b.q = a (side +1) or b.q = -a (side -1):
 with x = side b.q - a either rigid, x' turned into -r x' at x = 0 by an impulse along b, or a spring with a dashpot,
 force F = k x + c x' from x = 0 on until F = 0. Between such events the motion is linear and is carried on exactly. Given the
 sequence of events and rough times, the state at force phase 0 that comes back after p periods is found by
@@ -14,11 +14,13 @@ mp.dps = 40
 
 
 class System:
-    def __init__(self, w, zeta, f, A, omega, psi, stops):
-        """stops: (b, a, side, r) or (b, a, side, k, c)."""
+    def __init__(self, w, zeta, f, A, omega, psi, stops, further=()):
+        """stops: (b, a, side, r) or (b, a, side, k, c). further: (order, f_j A, phase) of forces at multiples of Omega,
+        whose phases are at the time at which that of the first is psi."""
         self.n, self.omega, self.psi = len(w), number(omega), number(psi)
         self.w, self.zeta = [number(x) for x in w], [number(x) for x in zeta]
-        self.f = [number(x) * number(A) for x in f]
+        self.loads = [(1, [number(x) * number(A) for x in f], self.psi)]
+        self.loads += [(order, [number(x) for x in force], number(phase)) for order, force, phase in further]
         self.stops = [([number(x) for x in s[0]], number(s[1]), s[2]) + tuple(number(x) for x in s[3:]) for s in stops]
         self.systems = {}
 
@@ -43,16 +45,17 @@ class System:
                     for j in range(n):
                         G[n + i, j] -= b[i] * b[j] * k
                         G[n + i, n + j] -= b[i] * b[j] * c
-            load = matrix([mpf(0)] * n + self.f)
-            forced = lu_solve(1j * self.omega * eye(2 * n) - G, load)
+            forced = [lu_solve(1j * order * self.omega * eye(2 * n) - G, matrix([mpf(0)] * n + force))
+                      for order, force, _ in self.loads]
             rates, shapes = mp.eig(G)
             self.systems[contact] = (G, lu_solve(G, -constant), forced, (rates, shapes, shapes ** -1))
         return self.systems[contact]
 
     def particular(self, contact, t):
         G, rest, forced = self.piece(contact)[:3]
-        turn = mp.expj(self.omega * t + self.psi)
-        return matrix([rest[i] + (forced[i] * turn).real for i in range(2 * self.n)])
+        turns = [mp.expj(order * self.omega * t + phase) for order, _, phase in self.loads]
+        return matrix([rest[i] + sum((response[i] * turn).real for response, turn in zip(forced, turns))
+                       for i in range(2 * self.n)])
 
     def flow(self, contact, z, t, end):
         y, h = z - self.particular(contact, t), end - t
@@ -81,7 +84,8 @@ class System:
         G, rest, forced = self.piece(contact)[:3]
         value = G * (z - rest)
         for j in range(self.n):
-            value[self.n + j] += self.f[j] * mp.cos(self.omega * t + self.psi)
+            value[self.n + j] += sum(force[j] * mp.cos(order * self.omega * t + phase)
+                                     for order, force, phase in self.loads)
         return value
 
     def event(self, contact, z, t, guess, kind, stop):

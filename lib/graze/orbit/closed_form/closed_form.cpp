@@ -99,7 +99,8 @@ std::vector<ImpactPoint> ClosedForm::solutions(double full_gap) const {
 
 ClosedFormAnswer closed_form(const System& system, int stop_index, int period) {
   if (!system.forcing()) return {{}, "there is no forcing"};
-  if (!system.has_closed_forms()) return {{}, kCoupledModes};
+  if (system.harmonics()) return {{}, kHarmonics};
+  if (system.coupling()) return {{}, kCoupledModes};
   if (!system.stops[static_cast<std::size_t>(stop_index)].restitution().is_constant())
     return {{}, "the restitution depends on the speed"};
   const Eigen::Index n = system.modes();

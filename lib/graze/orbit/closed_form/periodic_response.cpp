@@ -164,7 +164,8 @@ State PeriodicResponse::impulse_state(int by, double s) const {
 }
 
 PeriodicResponseAnswer periodic_response(const System& system, int period) {
-  if (!system.has_closed_forms()) return {{}, kCoupledModes};
+  if (system.harmonics()) return {{}, kHarmonics};
+  if (system.coupling()) return {{}, kCoupledModes};
   // The inverse of I - E has an error of eps over its smallest singular value; below this it keeps
   // less than half of its digits, and the reduction would leave the work to Newton's method.
   const double least = std::sqrt(std::numeric_limits<double>::epsilon());

@@ -165,24 +165,48 @@ std::string point_text(const Scene& scene, const StructurePoint& point) {
   return "at x = " + told(scene, "forcing.position", point.position, "m");
 }
 
-std::string forcing_text(const Scene& scene, const Forcing& forcing, const TextUnits& in) {
+// `path`: of its table.
+std::string load_text(const Scene& scene, const std::string& path, const HarmonicLoad& forcing) {
   const bool base = forcing.kind == ForcingKind::kBase;
   const bool load = forcing.kind == ForcingKind::kDistributed;
   const bool matrices = scene.discrete() != nullptr;
   const bool point = forcing.kind == ForcingKind::kPoint;
-  return fmt::format("{}, amplitude {}, {}{}, period {}",
+  return fmt::format("{}, amplitude {}",
                      base       ? std::string(matrices ? "moving base" : "moving clamp")
                      : load     ? "distributed load"
                      : point    ? "force " + point_text(scene, forcing.at)
                      : matrices ? "load"
                                 : "modal",
-                     told(scene, "forcing.amplitude", forcing.amplitude,
+                     told(scene, path + ".amplitude", forcing.amplitude,
                           base    ? "m"
                           : load  ? "N/m"
                           : point ? "N"
-                                  : ""),
-                     in("Hz").empty() ? "frequency " : "", frequency_text(forcing.frequency, in),
-                     in.quantity(kTurn / forcing.frequency, 6, "s"));
+                                  : ""));
+}
+
+// A line for each load; the period is that of all of them.
+std::string forcing_text(const Scene& scene, const System& system, const TextUnits& in) {
+  if (!scene.forcing) return effect("forcing", "none");
+  std::string text;
+  std::size_t number = 0;
+  for (const HarmonicLoad* load : scene.harmonic_loads()) {
+    const std::string path = numbered_path("forcing", ++number);
+    const double order = load->order.value_or(1.0);
+    Frequency frequency = scene.forcing->frequency;
+    frequency.written *= order;
+    text += effect(
+        scene.further.empty() ? "forcing" : fmt::format("forcing {}", number),
+        fmt::format("{}, {}{}{}", load_text(scene, path, *load),
+                    in("Hz").empty() ? "frequency " : "", frequency_text(frequency, in),
+                    scene.further.empty()
+                        ? fmt::format(", period {}", in.quantity(system.period(), 6, "s"))
+                    : order != 1.0 ? fmt::format(", order {:g}", order)
+                                   : ""));
+  }
+  if (!scene.further.empty())
+    text += effect("period", fmt::format("{}, of all loads together",
+                                         in.quantity(system.period(), 6, "s")));
+  return text;
 }
 
 std::string gravity_text(const Scene& scene) {
@@ -244,7 +268,7 @@ std::string simulated_effects(const CheckRecord& record) {
   text += effect("damping", damping_text(scene));
   // A hub is driven by its torque.
   if (!scene.hub)
-    text += effect("forcing", scene.forcing ? forcing_text(scene, *scene.forcing, in) : "none");
+    text += forcing_text(scene, record.system, in);
   text += effect("gravity", gravity_text(scene));
   if (!scene.loads.empty())
     text += effect("loads", fmt::format("{} constant force{}", scene.loads.size(),

@@ -11,6 +11,8 @@ std::string joined_path(const std::string& table, const std::string& key);
 
 // Whether the path is that of a list of tables, "stop" or "beam.piece".
 bool is_list_of_tables(const std::string& path);
+// Whether it may be: [forcing] or [[forcing]].
+bool may_be_list_of_tables(const std::string& path);
 
 // "stop.2.spring" is a "stop.spring", "probe.2" a "probe", "beam.piece.2.to" a "beam.piece.to".
 std::string without_number(const std::string& path);

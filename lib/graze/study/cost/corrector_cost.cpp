@@ -77,7 +77,8 @@ CorrectorCosts corrector_costs(const Scene& scene, const AccuracyCostOptions& op
   }
   const System system = assemble(scene);
   if (!system.has_modal_flights()) {
-    costs.message = system.coupling() ? "not measured where damping couples modes"
+    costs.message = system.harmonics()  ? "not measured under several harmonic loads"
+                    : system.coupling() ? "not measured where damping couples modes"
                                       : "not measured where a stop is compliant";
     return costs;
   }

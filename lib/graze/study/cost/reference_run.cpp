@@ -201,6 +201,7 @@ ReferenceRun reference_run(const System& system, const State& start,
     run.message = fmt::format("{} is followed in double precision only",
                               system.turns()      ? "a structure on a hub"
                               : system.coupling() ? "a structure whose damping couples modes"
+                              : system.harmonics() ? "a structure under several harmonic loads"
                                                   : "a stop whose law changes during a contact");
     return run;
   }

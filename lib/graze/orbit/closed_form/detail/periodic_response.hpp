@@ -84,6 +84,7 @@ class PeriodicResponse {
 
 // Why there is no closed form where modes do not move by themselves.
 inline constexpr const char* kCoupledModes = "damping couples the modes";
+inline constexpr const char* kHarmonics = "there are several harmonic loads";
 
 struct PeriodicResponseAnswer {
   std::optional<PeriodicResponse> response;
