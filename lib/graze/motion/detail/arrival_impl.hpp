@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
+#include "graze/base/linalg/detail/dense_factors.hpp"
+#include "graze/base/linalg/detail/products.hpp"
 #include "graze/motion/detail/motion.hpp"
 #include "graze/system/detail/gap_value.hpp"
 
@@ -143,6 +146,8 @@ void Motion<Real>::touch_simultaneous(const Real& flight) {
 // next arc starts from it. The offset, small against the present motion, would outlive a decaying
 // one. It is spread over the modes by the square of their displacements, as rounding has spread it:
 // no mode changes beyond its last digits, and the energy, mostly of stiff modes, hardly at all.
+// What closed stops hold stays where it is: moved off them it would be put back at the start of the
+// next arc, and off this stop again, by more than the offset was.
 template <class Real>
 void Motion<Real>::settle_on(int i, const Real& flight) {
   using std::abs;
@@ -154,9 +159,18 @@ void Motion<Real>::settle_on(int i, const Real& flight) {
   // Relative to the largest, whose square might be out of range.
   Real largest = 0;
   for (Eigen::Index j = 0; j < now_.q.size(); ++j) largest = std::max(largest, moves(j));
+  const auto part = [&](Eigen::Index j) {
+    return largest > 0 ? Real(moves(j) / largest) : Real(0);
+  };
+  const auto is_closed = [this](int k) { return contact(k) == Contact::kClosed; };
+  if (std::any_of(order_.begin(), order_.end(), is_closed)) {
+    RealVector<Real> weights(now_.q.size());
+    for (Eigen::Index j = 0; j < weights.size(); ++j) weights[j] = part(j);
+    if (settle_among_closed(i, weights)) return;
+  }
   const auto share = [&](Eigen::Index j) {
-    const Real part = largest > 0 ? Real(moves(j) / largest) : Real(0);
-    return Real(s.row[j] * part * part);
+    const Real of = part(j);
+    return Real(s.row[j] * of * of);
   };
   Real whole = 0;
   for (Eigen::Index j = 0; j < now_.q.size(); ++j) whole += s.row[j] * share(j);
@@ -172,6 +186,28 @@ void Motion<Real>::settle_on(int i, const Real& flight) {
   s.row.cwiseAbs().maxCoeff(&most);
   now_.q[most] = 0;
   now_.q[most] = (s.gap - s.row.dot(now_.q)) / s.row[most];
+}
+
+// The same where other stops are closed, whose rows are settled with this one; false where the
+// weights leave them no way.
+template <class Real>
+bool Motion<Real>::settle_among_closed(int i, const RealVector<Real>& weights) {
+  std::vector<int> kept{i};
+  for (const int k : order_)
+    if (contact(k) == Contact::kClosed) kept.push_back(k);
+  const auto count = static_cast<Eigen::Index>(kept.size());
+  Matrix_ rows(now_.q.size(), count);
+  RealVector<Real> offsets(count);
+  for (Eigen::Index a = 0; a < count; ++a) {
+    const MetStop& one = stop(kept[static_cast<std::size_t>(a)]);
+    rows.col(a) = one.row;
+    offsets[a] = one.gap - one.row.dot(now_.q);
+  }
+  const Matrix_ shares = weights.cwiseAbs2().asDiagonal() * rows;
+  const PivotedLu<Real> crossed(transposed_product<Real>(rows, shares));
+  if (!crossed.is_invertible()) return false;
+  now_.q += image<Real>(shares, crossed.solve(offsets));
+  return true;
 }
 
 }  // namespace graze

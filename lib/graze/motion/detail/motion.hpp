@@ -273,6 +273,7 @@ class Motion {
   void land(const Real& flight);
   Arrival<Real> arrive(Arrival<Real> arrival, const Real& until);
   void settle_on(int stop, const Real& flight);
+  bool settle_among_closed(int stop, const RealVector<Real>& weights);
   void touch_simultaneous(const Real& flight);
   bool is_back_at_once(const Arrival<Real>& arrival) const;
   void fail_audit(int stop, std::string what);
