@@ -1,8 +1,11 @@
 // The response without impacts as a branch, and amplitudes along branches, against closed forms.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <complex>
+#include <numbers>
+#include <tuple>
 #include <vector>
 
 #include "branch_checks.hpp"
@@ -202,6 +205,42 @@ TEST(Response, IsNoneOfAFreeMassOrAtAnUndampedResonance) {
   EXPECT_FALSE(response_of(system).has_value());
   system.omega[0] = 2.0;
   EXPECT_NEAR(response_of(system)->amplitude[0].real(), 0.1 / 3.0, 1e-16);
+}
+
+// Under cos(W t) and a cos(2 W t + phase) the response is A1 cos t + A2 cos(2 t + turn), t from the
+// peak of its first part. With turn 0 both peaks are one, A1 + A2; with half a turn there are two
+// equal ones once 4 A2 > A1, A1^2/(8 A2) + A2, and the lowest value is A1 + A2 below.
+TEST(ResponseBranches, GrazeWhereTheSumOfTwoHarmonicsDoes) {
+  using std::numbers::pi;
+  const double w = 0.7, gap = 0.1;
+  const auto impedance = [](double of) { return Complex((1.0 - of) * (1.0 + of), 0.05 * of); };
+  const Complex first = impedance(w), second = impedance(2.0 * w);
+  const double size = 0.02 / std::abs(first);
+  const double two_peaks = 0.5 * (gap + std::sqrt(gap * gap - 0.5 * size * size));
+  for (const auto& [turn, side, grazing] :
+       {std::tuple(0.0, "above", gap - size), std::tuple(pi, "above", two_peaks),
+        std::tuple(pi, "below", gap - size)}) {
+    const double phase = turn + std::arg(second) + 2.0 * (0.4 - std::arg(first));
+    const Scene scene = parse_scene(
+        fmt::format("[modal]\nfrequencies = [1.0]\ndamping_ratios = [0.025]\n"
+                    "[[forcing]]\nkind = \"point\"\nshape = [1.0]\namplitude = 0.02\n"
+                    "frequency = {}\nphase = 0.4\n[[forcing]]\nkind = \"point\"\nshape = [1.0]\n"
+                    "amplitude = 0.01\norder = 2\nphase = {:.17g}\n{}{}\nside = \"{}\"\n",
+                    w, phase, kStop, gap, side),
+        "two harmonics");
+    const SystemFamily family(scene, "forcing.2.amplitude");
+    const OrbitBranches result = response(family, 0.0, 0.15);
+    ASSERT_EQ(result.branches.size(), 1u) << turn << side;
+    const OrbitBranch& branch = result.branches[0];
+    ASSERT_EQ(branch.special.size(), 1u) << turn << side;
+    EXPECT_EQ(branch.special[0].kind, SpecialKind::kGrazing);
+    EXPECT_NEAR(branch.special[0].at.value, grazing * std::abs(second), 1e-14) << turn << side;
+    EXPECT_EQ(branch.ends[1], OrbitBranchEnd::kGrazing);
+    for (const OrbitBranchPoint& point : branch.points) {
+      EXPECT_TRUE(point.orbit.admissible);
+      EXPECT_NEAR(std::abs(point.orbit.multipliers[0].value), std::exp(-0.025 * kTurn / w), 1e-14);
+    }
+  }
 }
 
 }  // namespace

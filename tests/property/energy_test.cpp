@@ -23,20 +23,31 @@ bool momentum_law(const Scene& scene) {
 // against them, at first or at a beat's low, the terms of the work are of this size and cancel.
 double energy_scale(const System& system) {
   constexpr double kLargestAmplification = 256.0;  // beyond it a mode counts as resonant
-  const double frequency = system.forcing() ? system.forcing()->frequency : 0.0;
   double scale = 0.0;
   for (Eigen::Index j = 0; j < system.omega.size(); ++j) {
-    const double omega = system.omega[j], quickest = std::max(omega, frequency);
-    double speed = 0.0;
-    if (system.forcing()) {
+    const double omega = system.omega[j];
+    double speed = 0.0, quickest = omega;
+    const auto add = [&](double frequency, double force) {
+      quickest = std::max(quickest, frequency);
       const double impedance = std::hypot((omega - frequency) * (omega + frequency),
                                           2.0 * system.delta()[j] * frequency);
-      speed = std::abs(system.forcing()->amplitude[j]) * quickest /
-              std::max(impedance, quickest * quickest / kLargestAmplification);
+      const double larger = std::max(omega, frequency);
+      speed +=
+          std::abs(force) * larger / std::max(impedance, larger * larger / kLargestAmplification);
+    };
+    if (const HarmonicForcing* forcing = system.forcing()) {
+      add(forcing->frequency, forcing->amplitude[j]);
+      for (const Harmonic& one : forcing->harmonics)
+        add(one.order * forcing->frequency, std::hypot(one.cosine[j], one.sine[j]));
     }
     if (system.load() && quickest > 0.0) speed += std::abs((*system.load())[j]) / quickest;
     scale += 0.5 * speed * speed;
   }
+  // The moments from which works under several harmonics come are rounded at the power of the
+  // response over a whole flight, once for each radian that its quickest mode turns.
+  constexpr double kCounted = 256.0;  // roundings that size_of() counts anyway
+  if (system.harmonics())
+    scale *= std::max(1.0, std::pow(system.omega.maxCoeff() * system.period(), 2) / kCounted);
   return scale;
 }
 

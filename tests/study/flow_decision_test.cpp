@@ -60,7 +60,7 @@ TEST(FlowDecision, MeetsTheToleranceOfEveryRigidSceneForTheLeast) {
       }
     ++scenes;
   }
-  EXPECT_EQ(scenes, 18);
+  EXPECT_EQ(scenes, 19);
 }
 
 // At compliant stops: every contact is seen, and the error, that of contacts followed to some 1e-14

@@ -69,7 +69,8 @@ class RandomScene {
   // Draws until a scene is allowed.
   Scene draw() {
     for (;;) {
-      const Scene scene = chance(0.3) ? beam_scene() : modal_scene();
+      Scene scene = chance(0.3) ? beam_scene() : modal_scene();
+      if (scene.forcing && chance(0.25)) add_loads(scene);
       if (const auto usable = prepared(scene)) return usable->scene;
     }
   }
@@ -219,6 +220,23 @@ class RandomScene {
           std::pow(std::max(modal.frequencies[k] / forcing.frequency, 1.0), stiffness_weight);
     }
     return forcing;
+  }
+
+  // At multiples of the first one's frequency, as strong as that.
+  void add_loads(Scene& scene) {
+    constexpr double kOrders[] = {0.5, 1.0, 1.5, 2.0, 3.0, 5.0};
+    const int count = 1 + dice_.pick(2);
+    for (int i = 0; i < count; ++i) {
+      HarmonicLoad load = *scene.forcing;
+      load.order = kOrders[dice_.pick(6)];
+      load.phase = dice_.uniform(0.0, 2.0 * std::numbers::pi);
+      load.amplitude *= dice_.uniform(-1.0, 1.0);
+      if (load.kind == ForcingKind::kModal) {
+        load.kind = ForcingKind::kPoint;
+        load.at.shape = list(modes_, 1.0);
+      }
+      scene.further.push_back(load);
+    }
   }
 
   Forcing beam_forcing(const Beam& beam) {

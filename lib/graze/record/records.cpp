@@ -23,15 +23,25 @@ constexpr std::size_t kShown = 10;
 // energies are squares: 2^16. The flights, one per impact and one per forcing period at least, have
 // errors of either sign, so that these add up like the root of their number. On a rotating hub the
 // motion is integrated in steps of a quarter of its fastest oscillation, each to kStepTolerance of
-// the velocities, whose squares may all have errors of one sign.
+// the velocities, whose squares may all have errors of one sign. Where modes are coupled or there
+// are several harmonics, works come from moments of the motion over a flight (signal.hpp), whose
+// rounding is that of the power of the response over the whole flight, once for each radian that
+// its quickest mode turns.
 double balance_rounding(const System& system, const Simulation& run) {
   constexpr double kAmplification = 0x1p16;
   const double periods = system.forcing() ? run.end_time / system.period() : 0.0;
   const double flights = 1.0 + periods + static_cast<double>(run.totals.impacts);
+  double moments = 0.0;
+  if (system.forcing() && !system.has_closed_forms()) {
+    const Vector quickest = system.omega.cwiseMax(system.forcing()->frequency);
+    const double response = system.forcing()->size().cwiseQuotient(quickest).squaredNorm();
+    moments = 0.5 * response * std::pow(quickest.maxCoeff() * system.period(), 2);
+  }
   const double steps = system.turns() ? 4.0 * system.omega.maxCoeff() / kTurn * run.end_time : 0.0;
   return (kAmplification * std::numeric_limits<double>::epsilon() * std::sqrt(flights) +
           2.0 * kStepTolerance * steps) *
-         run.energy->size();
+             run.energy->size() +
+         std::numeric_limits<double>::epsilon() * std::sqrt(flights) * moments;
 }
 
 // How far a gap may fall below zero in a correct run, m: the forced response about which motion is

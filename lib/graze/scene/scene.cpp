@@ -18,8 +18,8 @@ int Scene::modes() const {
 }
 
 std::vector<const HarmonicLoad*> Scene::harmonic_loads() const {
-  std::vector<const HarmonicLoad*> list;
-  if (forcing) list.push_back(&*forcing);
+  if (!forcing) return {};
+  std::vector<const HarmonicLoad*> list{&*forcing};
   for (const HarmonicLoad& load : further) list.push_back(&load);
   return list;
 }

@@ -104,10 +104,10 @@ struct StructurePoint {
 // amplitude cos(order frequency t + phase), with the frequency of the first load of a scene
 struct HarmonicLoad {
   ForcingKind kind = ForcingKind::kBase;
-  double amplitude = 0.0;  // base: m; distributed: N/m; modal: 1; point: N
+  double amplitude = 0.0;         // base: m; distributed: N/m; modal: 1; point: N
   std::optional<double> order{};  // a ratio of small whole numbers; absent: 1
-  double phase = 0.0;      // rad
-  StructurePoint at{};     // of the kind "point"
+  double phase = 0.0;             // rad
+  StructurePoint at{};            // of the kind "point"
 };
 
 struct Forcing : HarmonicLoad {
@@ -237,15 +237,15 @@ struct Scene {
   std::variant<Beam, ModalStructure, TautString, Bar, MatrixStructure, LumpedStructure> structure;
   std::optional<Hub> hub{};  // of a beam
   std::optional<Damping> damping;
-  std::optional<Forcing> forcing;  // the first load
-  std::vector<HarmonicLoad> further{};
+  std::optional<Forcing> forcing;       // the first load
+  std::vector<HarmonicLoad> further{};  // none without it
   std::optional<Gravity> gravity;
   std::vector<PointLoad> loads{};
   std::vector<SceneStop> stops;
   std::vector<Probe> probes{};
   std::optional<Initial> initial;
   Solver solver;
-  std::shared_ptr<const Origins> origins;  // null for a scene made in code
+  std::shared_ptr<const Origins> origins;         // null for a scene made in code
   std::shared_ptr<const WrittenUnits> written{};  // likewise
 
   // All loads, the first one first.

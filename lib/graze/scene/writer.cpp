@@ -106,7 +106,7 @@ class Writer : public SchemaVisitor {
     for (const auto& value : values) write(fmt::format("[[{}]]", path), path, value);
   }
   void leading(const TableKey& key, const auto& first, const auto& others) {
-    if (others.empty()) return table(key, first);
+    if (others.empty() || !first) return table(key, first);
     const std::string path = joined_path(path_, key.name);
     write(fmt::format("[[{}]]", path), path, *first);
     tables(key, others);

@@ -26,9 +26,9 @@ double forced_reach_at(const System& system, const Stop& stop) {
   const double frequency = system.forcing()->frequency;
   const Vector force = system.forcing()->size();
   for (Eigen::Index j = 0; j < system.omega.size(); ++j)
-    reach = std::max(reach, std::abs((system.coupling() ? stop.row.norm() : stop.row[j]) *
-                                     force[j]) /
-                                std::max(system.omega[j] * system.omega[j], frequency * frequency));
+    reach =
+        std::max(reach, std::abs((system.coupling() ? stop.row.norm() : stop.row[j]) * force[j]) /
+                            std::max(system.omega[j] * system.omega[j], frequency * frequency));
   return reach;
 }
 

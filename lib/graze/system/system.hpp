@@ -29,6 +29,8 @@ namespace graze {
 struct Harmonic {
   int order = 1;
   Vector cosine, sine;
+
+  ComplexVector force() const;  // F of Re(F e^{i order theta})
 };
 
 // f(theta) = amplitude cos(theta) + the sum of further harmonics, at theta = frequency t + phase.
@@ -145,5 +147,9 @@ struct System {
     return forcing() ? kTurn / forcing()->frequency : std::numeric_limits<double>::infinity();
   }
 };
+
+// Forces on the modes, kg^1/2 m/s^2, as they are set; of several harmonics the sums of their sizes.
+// Empty without forcing.
+std::optional<Vector> modal_forces(const System& system);
 
 }  // namespace graze

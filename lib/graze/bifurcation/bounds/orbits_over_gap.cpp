@@ -10,7 +10,7 @@
 #include "graze/continuation/branch.hpp"
 #include "graze/continuation/branch/detail/locate.hpp"
 #include "graze/motion/simulation.hpp"
-#include "graze/orbit/closed_form/detail/periodic_response.hpp"
+#include "graze/orbit/closed_form/response.hpp"
 #include "graze/orbit/problem/detail/followed_orbit.hpp"
 #include "graze/orbit/problem/detail/shooting.hpp"
 #include "graze/orbit/problem/orbit_identity.hpp"
@@ -37,6 +37,10 @@ System rate_of_gaps(const System& system, double length) {
   rate.modal().delta.setZero();
   rate.modal().forcing->frequency = rate.modal().forcing->phase = 0.0;
   rate.modal().forcing->amplitude.setZero();
+  for (Harmonic& one : rate.modal().forcing->harmonics) {
+    one.cosine.setZero();
+    one.sine.setZero();
+  }
   if (rate.modal().load) rate.modal().load->setZero();
   for (Stop& stop : rate.stops) {
     stop.row.setZero();
@@ -63,13 +67,15 @@ class GapBranch {
 
   // Solutions at the system's own gaps.
   std::vector<Vector> solutions() {
-    const std::optional<double> touches = widening_that_touches();
-    if (!touches) return {};
-    range_.from = std::min(*touches, 0.0) - kNarrowest;
-    range_.to = std::max(*touches, 0.0) + kWidest;
-    const PeriodicResponseAnswer answer = periodic_response(system_, 1);
-    const Vector clear = shooting_.pack(system_, {answer.response->forced_state(0.0)});
-    std::optional<SolutionPoint> start = solve_at(problem_, range_, clear, *touches + kClear);
+    const std::optional<Response> response = response_of(system_);
+    if (!response || system_.stops.empty() || !(length_ > 0.0)) return {};
+    // The widening of all gaps at which the response just reaches the first stop.
+    const double touches = -*response->clearance(system_.stops) / length_;
+    if (!std::isfinite(touches)) return {};
+    range_.from = std::min(touches, 0.0) - kNarrowest;
+    range_.to = std::max(touches, 0.0) + kWidest;
+    const Vector clear = shooting_.pack(system_, {response->at(0.0, system_.forcing()->frequency)});
+    std::optional<SolutionPoint> start = solve_at(problem_, range_, clear, touches + kClear);
     if (!start) return {};
     start->turn_round();
     const Branch branch = trace_branch(problem_, range_, *start, Directions::kForward);
@@ -95,20 +101,6 @@ class GapBranch {
     if (!sum) return {};
     return ZeroEvaluation{std::move(sum->residual), std::move(sum->jacobian),
                           std::move(sum->by_parameters), std::move(sum->closing)};
-  }
-
-  // The widening of all gaps at which the response just reaches the first stop.
-  std::optional<double> widening_that_touches() const {
-    constexpr int kPhases = 256;
-    const PeriodicResponseAnswer answer = periodic_response(system_, 1);
-    if (!answer.response || !(length_ > 0.0)) return {};
-    double most = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < system_.stops.size(); ++i)
-      for (int k = 0; k < kPhases; ++k) {
-        const RowMotion there = answer.response->forced(static_cast<int>(i), kTurn * k / kPhases);
-        most = std::max(most, (there.value - system_.stops[i].gap) / length_);
-      }
-    return std::isfinite(most) ? std::optional(most) : std::nullopt;
   }
 
   void pass(const SolutionPoint& a, const SolutionPoint& b, std::vector<Vector>& list) const {

@@ -10,6 +10,7 @@
 #include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/base/linalg/detail/linear_equations.hpp"
 #include "graze/base/vector.hpp"
+#include "graze/orbit/closed_form/harmonic_sum.hpp"
 #include "graze/system/system.hpp"
 
 namespace graze {
@@ -17,29 +18,19 @@ namespace {
 
 // The contact force on a stop while the structure is held on its stops for ever.
 //
-// With W = diag(omega), C = diag(2 delta), B the rows, D the directions and a the gaps of the
-// closed stops, the response to the forcing is q = q_0 + Re(Q e^{i theta}), and the forces, over
-// the effective masses, are f_0 + Re(F e^{i theta}):
+// With W = diag(omega), C the damping, B the rows, D the directions and a the gaps of the closed
+// stops, the response to a harmonic of the forcing is q = q_0 + Re(Q e^{i k theta}), and the
+// forces, over the effective masses, are f_0 + Re(F e^{i k theta}), w = k Omega:
 //
-//   W^2 q_0 + D f_0 = load,     (W^2 - Omega^2 + i Omega C) Q + D F = amplitude,
+//   W^2 q_0 + D f_0 = load,     (W^2 - w^2 + i w C) Q + D F = amplitude,
 //   B^T q_0 = a,                 B^T Q = 0.
 //
-// The structure stays at rest where f_0 - |F| >= 0 at every closed stop.
-struct ConstraintForce {
-  double mean = 0.0;  // f_0, m/s^2
-  Complex swing;      // F, m/s^2
-
-  double least() const { return mean - std::abs(swing); }
-  // Phase of the smallest force, in [0, 2 pi), rad.
-  double phase_of_least() const { return wrapped(0.5 * kTurn - std::arg(swing)); }
-};
-
-// The force on `stop`, one of the closed ones. Returns nullopt when the held structure is in
-// resonance without damping. Requires forcing.
-std::optional<ConstraintForce> constraint_force(const System& system,
-                                                const std::vector<int>& closed, int stop) {
+// The structure stays at rest where the sum of f_0 and all swings is nowhere negative at every
+// closed stop. Returns that sum at `stop`, one of the closed ones, m/s^2; nullopt when the held
+// structure is in resonance without damping. Requires forcing.
+std::optional<HarmonicSum> constraint_force(const System& system, const std::vector<int>& closed,
+                                            int stop) {
   const Eigen::Index n = system.modes(), m = static_cast<Eigen::Index>(closed.size());
-  const double frequency = system.forcing()->frequency;
   Matrix at_rest = Matrix::Zero(n + m, n + m);
   Vector held = Vector::Zero(n + m);
   if (system.load()) held.head(n) = *system.load();
@@ -50,13 +41,20 @@ std::optional<ConstraintForce> constraint_force(const System& system,
     at_rest.row(n + i).head(n) = one.row.transpose();
     held[n + i] = one.gap;
   }
-  Eigen::MatrixXcd swinging = at_rest.cast<Complex>();
-  swinging.diagonal().head(n).array() -= frequency * frequency;
-  swinging.diagonal().head(n) += Complex(0.0, 2.0 * frequency) * system.delta().cast<Complex>();
-  ComplexVector driven = ComplexVector::Zero(n + m);
-  driven.head(n) = system.forcing()->amplitude.cast<Complex>();
   const Eigen::Index place = n + (std::find(closed.begin(), closed.end(), stop) - closed.begin());
-  ConstraintForce force{LuFactors(at_rest).solve(held)[place], solve(swinging, driven)[place]};
+  const auto swing = [&](int order, const ComplexVector& amplitude) {
+    const double w = order * system.forcing()->frequency;
+    Eigen::MatrixXcd swinging = at_rest.cast<Complex>();
+    swinging.diagonal().head(n).array() -= w * w;
+    swinging.topLeftCorner(n, n) += Complex(0.0, w) * system.damping().cast<Complex>();
+    ComplexVector driven = ComplexVector::Zero(n + m);
+    driven.head(n) = amplitude;
+    return HarmonicSum::Term{order, solve(swinging, driven)[place]};
+  };
+  HarmonicSum force{LuFactors(at_rest).solve(held)[place],
+                    {swing(1, system.forcing()->amplitude.cast<Complex>())}};
+  for (const Harmonic& one : system.forcing()->harmonics)
+    force.terms.push_back(swing(one.order, one.force()));
   if (!std::isfinite(force.least())) return {};
   return force;
 }
@@ -227,11 +225,11 @@ std::optional<std::pair<double, double>> lift_off(const SegmentEquations& equati
   const auto held_at = [&](double value) {
     const System* system = equations.system_at(value);
     return system ? constraint_force(*system, layout.closed, *layout.released)
-                  : std::optional<ConstraintForce>();
+                  : std::optional<HarmonicSum>();
   };
   double before = near - kTold * range, value = near;
   for (int step = 0; step < kMostSecants; ++step) {
-    const std::optional<ConstraintForce> a = held_at(before), b = held_at(value);
+    const std::optional<HarmonicSum> a = held_at(before), b = held_at(value);
     if (!a || !b) return {};
     if (a->least() == b->least()) break;
     const double next = value - b->least() * (value - before) / (b->least() - a->least());
@@ -240,9 +238,9 @@ std::optional<std::pair<double, double>> lift_off(const SegmentEquations& equati
     value = next;
     if (value == before) break;
   }
-  const std::optional<ConstraintForce> there = held_at(value);
+  const std::optional<HarmonicSum> there = held_at(value);
   if (!there) return {};
-  return std::pair(value, there->phase_of_least());
+  return std::pair(value, wrapped(there->phase_of_least()));
 }
 
 }  // namespace graze

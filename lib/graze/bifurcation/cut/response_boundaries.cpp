@@ -22,6 +22,12 @@ std::optional<ResponseBoundaries::Clearance> ResponseBoundaries::clearance(std::
   if (!response) return {};
   const Stop &at = system->stops[stop], &moved = tangent->stops[stop];
   const Response rate = response_rate(*system, *tangent, *response);
+  if (!response->harmonics.empty()) {
+    const double nearest = response->nearest_phase(at);
+    return Clearance{response->clearance(at), moved.gap -
+                                                  moved.row.dot(response->at(nearest, 1.0).q) -
+                                                  at.row.dot(rate.at(nearest, 1.0).q)};
+  }
   const Complex swing = at.row.dot(response->amplitude);
   const Complex turning = at.row.dot(rate.amplitude) + moved.row.dot(response->amplitude);
   const double size = std::abs(swing);

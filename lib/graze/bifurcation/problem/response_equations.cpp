@@ -84,8 +84,8 @@ std::optional<ShootingLinearisation> ResponseEquations::linearise(
     const Response rate = response_rate(system, *tangents[k], *response);
     Vector moved = packed(rate, frequency);
     if (const HarmonicForcing* forcing = tangents[k]->forcing())
-      moved.tail(n) -=
-          (forcing->frequency * response->amplitude.imag()).cwiseQuotient(scale_.velocity);
+      moved.tail(n) +=
+          (forcing->frequency * response->at(0.0, 1.0).qdot).cwiseQuotient(scale_.velocity);
     sum.by_parameters.col(static_cast<Eigen::Index>(k)) = -sum.jacobian * moved;
   }
   return sum;

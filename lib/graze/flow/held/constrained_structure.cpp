@@ -45,7 +45,8 @@ Matrix padded(const Matrix& matrix, Eigen::Index rows, Eigen::Index columns) {
 
 // A coordinate z = unit cos(k theta) for each harmonic, of the size of what it moves: it presses as
 // cosine z/unit - sine z'/(unit k W).
-void add_harmonics(ConstrainedStructure<double>& held, const Matrix& left, CoupledSystem& coupled) {
+// `left`: of the basis, before that is widened here.
+void add_harmonics(ConstrainedStructure<double>& held, Matrix left, CoupledSystem& coupled) {
   const auto count = static_cast<Eigen::Index>(held.whole.harmonics.size());
   const Eigen::Index n = held.whole.omega.size(), m = held.size(), all = m + count;
   coupled.stiffness = padded(coupled.stiffness, all, all);
@@ -58,8 +59,10 @@ void add_harmonics(ConstrainedStructure<double>& held, const Matrix& left, Coupl
   for (Eigen::Index k = 0; k < count; ++k) {
     const Harmonic& one = held.whole.harmonics[static_cast<std::size_t>(k)];
     const double frequency = one.order * held.whole.frequency;
-    const double size = one.cosine.norm() + one.sine.norm();
-    const double unit = size > 0.0 ? size / (frequency * frequency) : 1.0;
+    const Vector stiffness = held.whole.omega.cwiseAbs2().cwiseMax(frequency * frequency);
+    const double moved =
+        one.cosine.cwiseQuotient(stiffness).norm() + one.sine.cwiseQuotient(stiffness).norm();
+    const double unit = moved > 0.0 ? moved : 1.0;
     held.units.push_back(unit);
     held.reduced.omega[m + k] = frequency;
     coupled.stiffness.col(m + k).head(m) = -left * one.cosine / unit;

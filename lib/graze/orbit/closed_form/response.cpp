@@ -14,8 +14,7 @@ namespace graze {
 namespace {
 
 // Z = w^2 - W^2 + i W D, by which Z amplitude = force.
-Eigen::MatrixXcd impedance_matrix(const System& system) {
-  const double frequency = system.forcing()->frequency;
+Eigen::MatrixXcd impedance_matrix(const System& system, double frequency) {
   Eigen::MatrixXcd all = Complex(0.0, frequency) * system.damping().cast<Complex>();
   for (Eigen::Index j = 0; j < all.cols(); ++j)
     all(j, j) += (system.omega[j] - frequency) * (system.omega[j] + frequency);
@@ -32,23 +31,76 @@ Matrix free_generator(const System& system) {
   return generator;
 }
 
-Complex impedance(const System& system, Eigen::Index j) {
-  const double w = system.omega[j], frequency = system.forcing()->frequency;
+Complex impedance(const System& system, double frequency, Eigen::Index j) {
+  const double w = system.omega[j];
   return {(w - frequency) * (w + frequency), 2.0 * system.delta()[j] * frequency};
+}
+
+// The amplitudes at order k of a force; empty where there are none, or more than one.
+ComplexVector amplitudes_of(const System& system, int order, const ComplexVector& force) {
+  const double frequency = order * system.forcing()->frequency;
+  if (system.coupling()) return solve(impedance_matrix(system, frequency), force);
+  ComplexVector amplitudes(force.size());
+  for (Eigen::Index j = 0; j < force.size(); ++j) {
+    const Complex z = impedance(system, frequency, j);
+    if (z == 0.0) return {};
+    amplitudes[j] = force[j] / z;
+  }
+  return amplitudes;
+}
+
+// Their derivative by the parameter of a tangent.
+ComplexVector amplitude_rates(const System& system, const System& tangent, int order,
+                              const ComplexVector& amplitudes, const ComplexVector& force_rate) {
+  const Eigen::Index n = system.modes();
+  const double frequency = order * system.forcing()->frequency;
+  const double turns = tangent.forcing() ? order * tangent.forcing()->frequency : 0.0;
+  if (system.coupling() || tangent.coupling()) {
+    const Matrix damping = system.damping(), damping_rate = tangent.damping();
+    Eigen::MatrixXcd z_rate =
+        Complex(0.0, 1.0) * (frequency * damping_rate + turns * damping).cast<Complex>();
+    z_rate.diagonal() +=
+        (2.0 * (system.omega.cwiseProduct(tangent.omega).array() - frequency * turns))
+            .matrix()
+            .cast<Complex>();
+    return solve(impedance_matrix(system, frequency), force_rate - z_rate * amplitudes);
+  }
+  ComplexVector rates(n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Complex dz(2.0 * (system.omega[j] * tangent.omega[j] - frequency * turns),
+                     2.0 * (tangent.delta()[j] * frequency + system.delta()[j] * turns));
+    rates[j] = (force_rate[j] - amplitudes[j] * dz) / impedance(system, frequency, j);
+  }
+  return rates;
 }
 
 }  // namespace
 
 State Response::at(double theta, double frequency) const {
   const Complex turn = std::polar(1.0, theta);
-  return {offset + (turn * amplitude).real(), -frequency * (turn * amplitude).imag()};
+  State state{offset + (turn * amplitude).real(), -frequency * (turn * amplitude).imag()};
+  for (const Part& part : harmonics) {
+    const Complex turned = std::polar(1.0, part.order * theta);
+    state.q += (turned * part.amplitude).real();
+    state.qdot -= part.order * frequency * (turned * part.amplitude).imag();
+  }
+  return state;
 }
 
-double Response::clearance(const Stop& stop) const {
-  Complex swing = 0.0;
-  for (Eigen::Index j = 0; j < amplitude.size(); ++j) swing += stop.row[j] * amplitude[j];
-  return stop.gap - stop.row.dot(offset) - std::abs(swing);
+HarmonicSum Response::gap(const Stop& stop) const {
+  const auto swing = [&](const ComplexVector& of) {
+    Complex sum = 0.0;
+    for (Eigen::Index j = 0; j < of.size(); ++j) sum += stop.row[j] * of[j];
+    return -sum;
+  };
+  HarmonicSum gap{stop.gap - stop.row.dot(offset), {{1, swing(amplitude)}}};
+  for (const Part& part : harmonics) gap.terms.push_back({part.order, swing(part.amplitude)});
+  return gap;
 }
+
+double Response::nearest_phase(const Stop& stop) const { return gap(stop).phase_of_least(); }
+
+double Response::clearance(const Stop& stop) const { return gap(stop).least(); }
 
 std::optional<double> Response::clearance(const std::vector<Stop>& stops) const {
   std::optional<double> smallest;
@@ -61,47 +113,40 @@ std::optional<double> Response::clearance(const std::vector<Stop>& stops) const 
 
 std::optional<Response> response_of(const System& system) {
   const Eigen::Index n = system.modes();
-  Response response{ComplexVector(n), Vector::Zero(n)};
+  Response response{{}, Vector::Zero(n)};
   for (Eigen::Index j = 0; j < n; ++j) {
-    const Complex z = impedance(system, j);
-    if ((z == 0.0 && !system.coupling()) || !(system.omega[j] > 0.0)) return {};
-    response.amplitude[j] = system.forcing()->amplitude[j] / z;
+    if (!(system.omega[j] > 0.0)) return {};
     if (system.load())
       response.offset[j] = (*system.load())[j] / (system.omega[j] * system.omega[j]);
   }
-  if (system.coupling())
-    response.amplitude =
-        solve(impedance_matrix(system), system.forcing()->amplitude.cast<Complex>());
-  if (!response.amplitude.allFinite() || !response.offset.allFinite()) return {};
+  response.amplitude = amplitudes_of(system, 1, system.forcing()->amplitude.cast<Complex>());
+  bool found = response.amplitude.size() == n && response.amplitude.allFinite();
+  for (const Harmonic& one : system.forcing()->harmonics) {
+    response.harmonics.push_back({one.order, amplitudes_of(system, one.order, one.force())});
+    const ComplexVector& part = response.harmonics.back().amplitude;
+    found = found && part.size() == n && part.allFinite();
+  }
+  if (!found || !response.offset.allFinite()) return {};
   return response;
 }
 
 Response response_rate(const System& system, const System& tangent, const Response& response) {
   const Eigen::Index n = system.modes();
-  const double frequency = system.forcing()->frequency;
-  const double turns = tangent.forcing() ? tangent.forcing()->frequency : 0.0;
-  Response rate{ComplexVector(n), Vector::Zero(n)};
+  const HarmonicForcing* forcing = tangent.forcing();
+  const ComplexVector none = ComplexVector::Zero(n);
+  Response rate{amplitude_rates(system, tangent, 1, response.amplitude,
+                                forcing ? ComplexVector(forcing->amplitude.cast<Complex>()) : none),
+                Vector::Zero(n)};
+  for (std::size_t k = 0; k < response.harmonics.size(); ++k) {
+    const auto& [order, amplitude] = response.harmonics[k];
+    rate.harmonics.push_back(
+        {order, amplitude_rates(system, tangent, order, amplitude,
+                                forcing ? forcing->harmonics[k].force() : none)});
+  }
   for (Eigen::Index j = 0; j < n; ++j) {
-    const double w = system.omega[j], delta = system.delta()[j];
-    const Complex dz(2.0 * (w * tangent.omega[j] - frequency * turns),
-                     2.0 * (tangent.delta()[j] * frequency + delta * turns));
-    const double force = tangent.forcing() ? tangent.forcing()->amplitude[j] : 0.0;
-    rate.amplitude[j] = (force - response.amplitude[j] * dz) / impedance(system, j);
-    const double load = tangent.load() ? (*tangent.load())[j] : 0.0;
+    const double w = system.omega[j], load = tangent.load() ? (*tangent.load())[j] : 0.0;
     if (system.load() || tangent.load())
       rate.offset[j] = (load - 2.0 * w * tangent.omega[j] * response.offset[j]) / (w * w);
-  }
-  if (system.coupling() || tangent.coupling()) {
-    const Matrix damping = system.damping(), damping_rate = tangent.damping();
-    Eigen::MatrixXcd z_rate =
-        Complex(0.0, 1.0) * (frequency * damping_rate + turns * damping).cast<Complex>();
-    z_rate.diagonal() +=
-        (2.0 * (system.omega.cwiseProduct(tangent.omega).array() - frequency * turns))
-            .matrix()
-            .cast<Complex>();
-    const Vector force = tangent.forcing() ? tangent.forcing()->amplitude : Vector(Vector::Zero(n));
-    rate.amplitude =
-        solve(impedance_matrix(system), force.cast<Complex>() - z_rate * response.amplitude);
   }
   return rate;
 }

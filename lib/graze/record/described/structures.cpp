@@ -22,12 +22,13 @@ std::views::all_t<std::ranges::iota_view<Eigen::Index, Eigen::Index>> up_to(Eige
 
 void describe_modes(ResultVisitor& v, const System& system) {
   const Vector decay = decay_rates(system);
+  const std::optional<Vector> forces = modal_forces(system);
   v.list({"modes"}, up_to(system.omega.size()), [&](Eigen::Index j, std::size_t) {
     v.field({"mode", "", "from 1"}, j + 1);
     v.field({"frequency", "rad/s", "w_j"}, number_at(system.omega, j));
     v.field({"decay_rate", "1/s", "delta_j"}, number_at(decay, j));
-    v.field({"force", "kg^1/2 m/s^2", "f_j, null without forcing"},
-            system.forcing() ? number_at(system.forcing()->amplitude, j) : NAN);
+    v.field({"force", "kg^1/2 m/s^2", "f_j, of several loads the sum of sizes; null without"},
+            forces ? number_at(*forces, j) : NAN);
     v.field({"load", "kg^1/2 m/s^2", "c_j, null without gravity"},
             system.load() ? number_at(*system.load(), j) : NAN);
   });

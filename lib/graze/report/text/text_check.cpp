@@ -194,18 +194,18 @@ std::string forcing_text(const Scene& scene, const System& system, const TextUni
     const double order = load->order.value_or(1.0);
     Frequency frequency = scene.forcing->frequency;
     frequency.written *= order;
-    text += effect(
-        scene.further.empty() ? "forcing" : fmt::format("forcing {}", number),
-        fmt::format("{}, {}{}{}", load_text(scene, path, *load),
-                    in("Hz").empty() ? "frequency " : "", frequency_text(frequency, in),
-                    scene.further.empty()
-                        ? fmt::format(", period {}", in.quantity(system.period(), 6, "s"))
-                    : order != 1.0 ? fmt::format(", order {:g}", order)
-                                   : ""));
+    text +=
+        effect(scene.further.empty() ? "forcing" : fmt::format("forcing {}", number),
+               fmt::format("{}, {}{}{}", load_text(scene, path, *load),
+                           in("Hz").empty() ? "frequency " : "", frequency_text(frequency, in),
+                           scene.further.empty()
+                               ? fmt::format(", period {}", in.quantity(system.period(), 6, "s"))
+                           : order != 1.0 ? fmt::format(", order {:g}", order)
+                                          : ""));
   }
   if (!scene.further.empty())
-    text += effect("period", fmt::format("{}, of all loads together",
-                                         in.quantity(system.period(), 6, "s")));
+    text += effect("period",
+                   fmt::format("{}, of all loads together", in.quantity(system.period(), 6, "s")));
   return text;
 }
 
@@ -267,8 +267,7 @@ std::string simulated_effects(const CheckRecord& record) {
   if (scene.hub) text += hub_effects(*scene.hub, in);
   text += effect("damping", damping_text(scene));
   // A hub is driven by its torque.
-  if (!scene.hub)
-    text += forcing_text(scene, record.system, in);
+  if (!scene.hub) text += forcing_text(scene, record.system, in);
   text += effect("gravity", gravity_text(scene));
   if (!scene.loads.empty())
     text += effect("loads", fmt::format("{} constant force{}", scene.loads.size(),
@@ -296,13 +295,14 @@ std::string to_text(const CheckRecord& record, const TextOptions& options) {
                                in.head("modal force", "kg^1/2 m/s^2")});
   Table modes(header);
   const Vector decay = decay_rates(system);
-  const double largest = system.forcing() ? system.forcing()->amplitude.cwiseAbs().maxCoeff() : 0.0;
+  const std::optional<Vector> forces = modal_forces(system);
+  const double largest = forces ? forces->cwiseAbs().maxCoeff() : 0.0;
   for (Eigen::Index j = 0; j < system.omega.size(); ++j) {
     std::vector<std::string> row = {std::to_string(j + 1), digits_text(system.omega[j], 8)};
     if (has_hertz) row.push_back(digits_text(system.omega[j] / kTurn, 6));
     row.push_back(digits_text(decay[j], 6));
     row.push_back(system.omega[j] > 0.0 ? digits_text(decay[j] / system.omega[j], 4) : "-");
-    row.push_back(system.forcing() ? digits_text(system.forcing()->amplitude[j], 6, largest) : "-");
+    row.push_back(forces ? digits_text((*forces)[j], 6, largest) : "-");
     modes.add(row);
   }
   text += modes.text(options.width);

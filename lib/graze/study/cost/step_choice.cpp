@@ -28,7 +28,7 @@ std::optional<StepMethod> step_method(FlowChoice flow) {
 double modal_speed(const System& system, const State& start) {
   double speed = std::hypot(start.qdot.norm(), system.omega.cwiseProduct(start.q).norm());
   if (system.forcing())
-    speed = std::max(speed, system.forcing()->amplitude.norm() / system.forcing()->frequency);
+    speed = std::max(speed, system.forcing()->size().norm() / system.forcing()->frequency);
   const double at_stops = speed_scale(system, start);
   for (const Stop& stop : system.stops)
     if (stop.row.norm() > 0.0) speed = std::max(speed, at_stops / stop.row.norm());
