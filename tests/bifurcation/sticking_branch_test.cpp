@@ -234,6 +234,28 @@ TEST(StickingBranch, OfTheShippedBeamRunsBetweenItsChatterPoints) {
   EXPECT_GE(expect_stability_of_runs(scene, "forcing.frequency", result), 3);
 }
 
+// A mass held on its stop at the gap a < 0 by its spring, w = 1, is pressed by -a - cos t -
+// cos(2 t + 0.3): the lowest of it is where sin t + 2 sin(2 t + 0.3) = 0.
+TEST(StickingBranch, EndsAtRestWhereTheSumOfTwoHarmonicsLetsGo) {
+  const Scene scene = parse_scene(
+      "[modal]\nfrequencies = [1.0]\ndamping_ratios = [0.05]\nparticipation = [1.0]\n"
+      "[[forcing]]\namplitude = 1.0\nfrequency = 0.6\n"
+      "[[forcing]]\namplitude = 1.0\norder = 2\nphase = 0.3\n"
+      "[[stop]]\nshape = [1.0]\ngap = -1.0\nrestitution = 0.5\n",
+      "two_harmonics.toml");
+  double phase = 4.3;
+  for (int step = 0; step < 8; ++step)
+    phase -= (std::sin(phase) + 2.0 * std::sin(2.0 * phase + 0.3)) /
+             (std::cos(phase) + 4.0 * std::cos(2.0 * phase + 0.3));
+  const OrbitBranches result =
+      sticking_branches(scene, "stop.gap", {.from = -1.4, .to = -0.9, .start_values = 8});
+  const auto found = special_points(result, SpecialKind::kLiftOff);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0]->at.value, std::cos(phase) + std::cos(2.0 * phase + 0.3), 1e-13);
+  EXPECT_NEAR(found[0]->impact()->phase, phase, 1e-9);
+  EXPECT_TRUE(found[0]->solution.bracket->converged);
+}
+
 // Two modes held on their stop at the gap a < 0: q'' + 2 delta q' + w^2 q = f e^{i theta} - d
 // force, b.q = a. The force is -a/(b W^-1 d), W = diag w^2, and the real part of (b H f)/(b H d)
 // e^{i theta} with H = 1/(w^2 - Omega^2 + 2 i delta Omega). It touches zero where the two

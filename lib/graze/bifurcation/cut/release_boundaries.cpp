@@ -156,7 +156,7 @@ std::optional<BranchPlace> ReleaseBoundaries::place_of(const ReleaseTip& tip) co
   if (tip.end == OrbitBranchEnd::kAtRest) {
     kind = SpecialKind::kLiftOff;
     const double range = std::abs(options_.to - options_.from);
-    if (const auto there = lift_off(equations_, range, tip.value)) {
+    if (const auto there = lift_off(equations_, range, tip)) {
       place.at.value = solution.parameter = there->first;
       solution.u[0] = there->second;
       solution.bracket = bracket_around({tip.bracket.from, tip.bracket.to, there->first}, true);

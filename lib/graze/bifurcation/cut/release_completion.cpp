@@ -220,20 +220,23 @@ ReleaseTip completion(const SegmentEquations& equations, const ReleaseApproach& 
 }
 
 std::optional<std::pair<double, double>> lift_off(const SegmentEquations& equations, double range,
-                                                  double near) {
+                                                  const ReleaseTip& tip) {
+  const double near = tip.value;
+  // What the orbits leave open is decided here.
+  const double reach = std::max(kTold * range, 2.0 * std::abs(tip.bracket.to - tip.bracket.from));
   const SegmentLayout& layout = equations.layout();
   const auto held_at = [&](double value) {
     const System* system = equations.system_at(value);
     return system ? constraint_force(*system, layout.closed, *layout.released)
                   : std::optional<HarmonicSum>();
   };
-  double before = near - kTold * range, value = near;
+  double before = near - reach, value = near;
   for (int step = 0; step < kMostSecants; ++step) {
     const std::optional<HarmonicSum> a = held_at(before), b = held_at(value);
     if (!a || !b) return {};
     if (a->least() == b->least()) break;
     const double next = value - b->least() * (value - before) / (b->least() - a->least());
-    if (!(std::abs(next - near) <= kTold * range)) return {};
+    if (!(std::abs(next - near) <= reach)) return {};
     before = value;
     value = next;
     if (value == before) break;

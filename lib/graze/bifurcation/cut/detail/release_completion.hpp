@@ -28,9 +28,9 @@ ReleaseTip completion(const SegmentEquations& equations, const ReleaseApproach& 
 
 // Where the force that holds the structure at rest touches zero, as the value of the parameter and
 // the phase, rad. Flights near that are too short to be detected; the force is smooth across it.
-// `near` is a value within their resolution; returns nullopt when the force does not vanish there.
+// The tip is known to their resolution; returns nullopt when the force does not vanish there.
 // `range`: of the parameter.
 std::optional<std::pair<double, double>> lift_off(const SegmentEquations& equations, double range,
-                                                  double near);
+                                                  const ReleaseTip& tip);
 
 }  // namespace graze
