@@ -11,6 +11,10 @@
 namespace graze {
 namespace {
 
+// How far the end of a trace may lie from its grazing, in lengths of the range: as near as it has
+// to come in speed.
+constexpr double kBeside = 1e-5;
+
 // The stop of a contact that only one of two orbits has; nullopt when they have the same contacts.
 std::optional<int> stop_of_difference(const std::vector<int>& a, const std::vector<int>& b) {
   std::vector<int> difference;
@@ -79,21 +83,28 @@ void ContactBoundaries::pass(const JudgedPoint& a, const JudgedPoint& b,
   places.back().begins = true;
 }
 
-// Distance of an orbit from a grazing, m or m^2/s^2: proportional to the distance along the branch.
+// Distance of an orbit from a grazing: proportional to the distance along the branch is its
+// clearance, m, the speed of an impact on a rigid stop, m/s, and the square of that on a spring.
 std::optional<double> ContactBoundaries::margin_of(const SolutionPoint& point, bool speed,
                                                    std::size_t impacts) const {
   const std::optional<OrbitBranchPoint> at = equations_.judge(point);
   if (!at || at->orbit.impacts.size() != impacts) return {};
-  if (speed) return at->smallest_speed * at->smallest_speed;
-  return at->orbit.clearance;
+  if (!speed) return at->orbit.clearance;
+  return at->smallest_speed * (meets_springs(point) ? at->smallest_speed : 1.0);
+}
+
+bool ContactBoundaries::meets_springs(const SolutionPoint& point) const {
+  const std::vector<Stop>& stops = equations_.system_at(point.parameter)->stops;
+  return std::any_of(stops.begin(), stops.end(), [](const Stop& s) { return s.is_compliant(); });
 }
 
 // Margin at which a trace without a further step is near enough: 1e-5 of the speed of the forced
 // motion, or 1e-10 of its length.
-double ContactBoundaries::near_enough(bool speed) const {
-  constexpr double kPart = 1e-10;
-  const double size = speed ? equations_.speed_unit() : 1.0;
-  return kPart * (speed ? size * size : equations_.length());
+double ContactBoundaries::near_enough(const SolutionPoint& point, bool speed) const {
+  constexpr double kPart = 1e-5;
+  if (!speed) return kPart * kPart * equations_.length();
+  const double near = kPart * equations_.speed_unit();
+  return near * (meets_springs(point) ? near : 1.0);
 }
 
 // Where the force of a stop sets in with a jump the map has a corner at a grazing, around which the
@@ -106,16 +117,26 @@ std::optional<BranchTip> ContactBoundaries::close(Branch& trace, std::size_t sid
   const SolutionPoint& last = trace.points[side == 0 ? 0 : count - 1];
   const std::size_t impacts = equations_.stops_met(last).size();
   for (const bool speed : {false, true}) {
-    const std::optional<SolutionPoint> corner = corner_beyond(before, last, speed, impacts);
+    std::optional<SolutionPoint> corner = corner_beyond(before, last, speed, impacts);
     if (!corner) continue;
+    std::optional<OrbitBranchPoint> orbit = equations_.judge(*corner);
+    // Near it a speed is known to the square root of what displacements are; its own equation has
+    // no such loss.
+    if (auto grazing = find_grazing_from(equations_, options_, *corner);
+        grazing && !meets_springs(*corner) &&
+        std::abs(grazing->at.parameter - corner->parameter) <=
+            kBeside * std::abs(options_.to - options_.from)) {
+      grazing->at.bracket = bracket_around({corner->parameter, grazing->at.parameter}, true);
+      corner = grazing->at;
+      if (orbit) orbit->value = corner->parameter;
+    }
     if (side == 0) {
       trace.points.insert(trace.points.begin(), *corner);
       for (CriticalPoint& critical : trace.critical) ++critical.after;
     } else {
       trace.points.push_back(*corner);
     }
-    return BranchTip{OrbitBranchEnd::kGrazing,
-                     boundary(*corner, equations_.judge(*corner), !speed)};
+    return BranchTip{OrbitBranchEnd::kGrazing, boundary(*corner, std::move(orbit), !speed)};
   }
   return {};
 }
@@ -125,16 +146,15 @@ std::optional<SolutionPoint> ContactBoundaries::corner_beyond(SolutionPoint befo
                                                               SolutionPoint last, bool speed,
                                                               std::size_t impacts) const {
   constexpr int kMostRounds = 40;
+  // Part of its value to which a boundary that counts as solved for is known.
+  constexpr double kKnown = 1e-10;
   std::optional<double> from = margin_of(before, speed, impacts),
                         to = margin_of(last, speed, impacts);
   if (!from || !to) return {};
-  if (*to <= near_enough(speed)) {
-    last.bracket = bracket_around({last.parameter}, true);
-    return last;
-  }
-  if (!(*to < *from)) return {};
+  const bool near = *to <= near_enough(last, speed);
+  if (!near && !(*to < *from)) return {};
   const double first = *from;
-  for (int round = 0; round < kMostRounds && 1e-12 * first < *to; ++round) {
+  for (int round = 0; round < kMostRounds && !near && 1e-12 * first < *to; ++round) {
     // Stops short of the zero: beyond it the motion is another one.
     const double part = 0.9 * *to / (*from - *to);
     if (!(part > 0.0) || (round == 0 && part > 1.0)) return {};
@@ -148,16 +168,18 @@ std::optional<SolutionPoint> ContactBoundaries::corner_beyond(SolutionPoint befo
     before = std::exchange(last, *next);
     from = std::exchange(to, left);
   }
-  if (!(*to <= 1e-3 * first)) return {};
+  if (!near && !(*to <= 1e-3 * first)) return {};
   // Seen from one side only: the bracket extends by the length of the last secant.
-  const double ahead = *to / (*from - *to) * (last.parameter - before.parameter);
-  last.bracket =
-      bracket_around({last.parameter, last.parameter + ahead}, *to <= near_enough(speed));
+  const double ahead =
+      *to < *from ? *to / (*from - *to) * (last.parameter - before.parameter) : 0.0;
+  last.bracket = bracket_around(
+      {last.parameter, last.parameter + ahead},
+      *to <= near_enough(last, speed) && std::abs(ahead) <= kKnown * std::abs(last.parameter));
   return last;
 }
 
-// The gap of an approach falls through zero in proportion to the distance; beyond, the square of
-// the speed of the contact grows with it.
+// The gap of an approach falls through zero in proportion to the distance; beyond, the speed of an
+// impact grows with it, or the square of that of a contact on a spring.
 std::optional<SolutionPoint> ContactBoundaries::grazing_between(const SolutionPoint& a,
                                                                 const SolutionPoint& b,
                                                                 std::size_t before,
@@ -167,7 +189,8 @@ std::optional<SolutionPoint> ContactBoundaries::grazing_between(const SolutionPo
   const auto test = [&](const SolutionPoint& point) {
     const std::optional<OrbitBranchPoint> at = equations_.judge(point);
     const std::size_t here = at ? at->orbit.impacts.size() : 0;
-    if (here > fewer) return -sign * at->smallest_speed * at->smallest_speed;
+    if (here > fewer)
+      return -sign * at->smallest_speed * (meets_springs(point) ? at->smallest_speed : 1.0);
     return sign * (at && at->orbit.clearance ? std::abs(*at->orbit.clearance) : 1.0);
   };
   return locate(equations_.problem(), options_, a, b, test);

@@ -32,7 +32,8 @@ class ContactBoundaries : public BranchBoundaries {
                        bool approach) const;
   std::optional<double> margin_of(const SolutionPoint& point, bool speed,
                                   std::size_t impacts) const;
-  double near_enough(bool speed) const;
+  double near_enough(const SolutionPoint& point, bool speed) const;
+  bool meets_springs(const SolutionPoint& point) const;
   std::optional<SolutionPoint> corner_beyond(SolutionPoint before, SolutionPoint last, bool speed,
                                              std::size_t impacts) const;
   std::optional<SolutionPoint> grazing_between(const SolutionPoint& a, const SolutionPoint& b,
