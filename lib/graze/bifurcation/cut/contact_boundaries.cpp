@@ -90,12 +90,15 @@ std::optional<double> ContactBoundaries::margin_of(const SolutionPoint& point, b
   const std::optional<OrbitBranchPoint> at = equations_.judge(point);
   if (!at || at->orbit.impacts.size() != impacts) return {};
   if (!speed) return at->orbit.clearance;
-  return at->smallest_speed * (meets_springs(point) ? at->smallest_speed : 1.0);
+  return speed_margin(point, at->smallest_speed);
 }
 
 bool ContactBoundaries::meets_springs(const SolutionPoint& point) const {
-  const std::vector<Stop>& stops = equations_.system_at(point.parameter)->stops;
-  return std::any_of(stops.begin(), stops.end(), [](const Stop& s) { return s.is_compliant(); });
+  return equations_.system_at(point.parameter)->has_compliant_stop();
+}
+
+double ContactBoundaries::speed_margin(const SolutionPoint& point, double speed) const {
+  return speed * (meets_springs(point) ? speed : 1.0);
 }
 
 // Margin at which a trace without a further step is near enough: 1e-5 of the speed of the forced
@@ -103,8 +106,7 @@ bool ContactBoundaries::meets_springs(const SolutionPoint& point) const {
 double ContactBoundaries::near_enough(const SolutionPoint& point, bool speed) const {
   constexpr double kPart = 1e-5;
   if (!speed) return kPart * kPart * equations_.length();
-  const double near = kPart * equations_.speed_unit();
-  return near * (meets_springs(point) ? near : 1.0);
+  return speed_margin(point, kPart * equations_.speed_unit());
 }
 
 // Where the force of a stop sets in with a jump the map has a corner at a grazing, around which the
@@ -122,10 +124,10 @@ std::optional<BranchTip> ContactBoundaries::close(Branch& trace, std::size_t sid
     std::optional<OrbitBranchPoint> orbit = equations_.judge(*corner);
     // Near it a speed is known to the square root of what displacements are; its own equation has
     // no such loss.
-    if (auto grazing = find_grazing_from(equations_, options_, *corner);
-        grazing && !meets_springs(*corner) &&
-        std::abs(grazing->at.parameter - corner->parameter) <=
-            kBeside * std::abs(options_.to - options_.from)) {
+    std::optional<FoundGrazing> grazing;
+    if (!meets_springs(*corner)) grazing = find_grazing_from(equations_, options_, *corner);
+    if (grazing && std::abs(grazing->at.parameter - corner->parameter) <=
+                       kBeside * std::abs(options_.to - options_.from)) {
       grazing->at.bracket = bracket_around({corner->parameter, grazing->at.parameter}, true);
       corner = grazing->at;
       if (orbit) orbit->value = corner->parameter;
@@ -189,8 +191,7 @@ std::optional<SolutionPoint> ContactBoundaries::grazing_between(const SolutionPo
   const auto test = [&](const SolutionPoint& point) {
     const std::optional<OrbitBranchPoint> at = equations_.judge(point);
     const std::size_t here = at ? at->orbit.impacts.size() : 0;
-    if (here > fewer)
-      return -sign * at->smallest_speed * (meets_springs(point) ? at->smallest_speed : 1.0);
+    if (here > fewer) return -sign * speed_margin(point, at->smallest_speed);
     return sign * (at && at->orbit.clearance ? std::abs(*at->orbit.clearance) : 1.0);
   };
   return locate(equations_.problem(), options_, a, b, test);

@@ -34,6 +34,7 @@ class ContactBoundaries : public BranchBoundaries {
                                   std::size_t impacts) const;
   double near_enough(const SolutionPoint& point, bool speed) const;
   bool meets_springs(const SolutionPoint& point) const;
+  double speed_margin(const SolutionPoint& point, double speed) const;
   std::optional<SolutionPoint> corner_beyond(SolutionPoint before, SolutionPoint last, bool speed,
                                              std::size_t impacts) const;
   std::optional<SolutionPoint> grazing_between(const SolutionPoint& a, const SolutionPoint& b,
