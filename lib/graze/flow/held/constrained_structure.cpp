@@ -45,8 +45,11 @@ Matrix padded(const Matrix& matrix, Eigen::Index rows, Eigen::Index columns) {
 
 // A coordinate z = unit cos(k theta) for each harmonic, of the size of what it moves: it presses as
 // cosine z/unit - sine z'/(unit k W).
-// `left`: of the basis, before that is widened here.
-void add_harmonics(ConstrainedStructure<double>& held, Matrix left, CoupledSystem& coupled) {
+// `inverse`: the left one of the basis, which may be the basis itself.
+void add_harmonics(ConstrainedStructure<double>& held, const Matrix& inverse,
+                   CoupledSystem& coupled) {
+  if (held.whole.harmonics.empty()) return;
+  const Matrix left = inverse;  // the basis is widened here
   const auto count = static_cast<Eigen::Index>(held.whole.harmonics.size());
   const Eigen::Index n = held.whole.omega.size(), m = held.size(), all = m + count;
   coupled.stiffness = padded(coupled.stiffness, all, all);
