@@ -20,7 +20,7 @@ namespace {
 constexpr double kLongest = 100.0;
 
 double longest_span(const System& system) {
-  const double seconds = system.forcing() ? system.period() : longest_flight(system);
+  const double seconds = system.repeats() ? system.period() : longest_flight(system);
   return kLongest * (std::isfinite(seconds) ? seconds : 1.0);
 }
 

@@ -81,7 +81,7 @@ int run(const DiagramCommand& command) {
   const DiagramBranches wanted = wanted_branches(command);
   check_journal_options(command, command.journal);
   const Scene scene = scene_of(command);
-  if (!scene.forcing) return run_diagram_of_runs(command, scene);
+  if (!scene.repeats()) return run_diagram_of_runs(command, scene);
   if (command.duration)
     throw InputError(
         "--duration: it is not allowed here; this scene's motion repeats with its forcing and is "

@@ -37,7 +37,7 @@ CutRun read_cut_run(const SimulateCommand& command, const RunInfo& info) {
 
 void check_end(const CutRun& cut, const SimulationOptions& options, const System& system) {
   const double end =
-      options.duration ? *options.duration : static_cast<double>(options.periods) * system.period();
+      options.duration ? *options.duration : static_cast<double>(options.periods) * system.first_period();
   const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * cut.time;
   if (end < cut.time - rounding)
     throw InputError(

@@ -37,17 +37,22 @@ SimulationOptions simulation_options(const SimulateCommand& command, const Scene
   options.energy = command.keeps_balance();
   options.closure_speed = command.closure_speed;
   options.stop = stop_signal(command);
-  if (!scene.forcing && !options.duration)
+  const bool has_periods = scene.forcing && !scene.forcing->signal;
+  if (!has_periods && !options.duration)
     throw InputError(
-        fmt::format("{}the scene has no forcing, so it has no forcing periods; give "
+        fmt::format("{}the scene has no forcing{}, so it has no forcing periods; give "
                     "--duration in seconds",
-                    command.periods ? "--periods: " : ""));
+                    command.periods ? "--periods: " : "",
+                    scene.forcing ? " with a frequency in front" : ""));
   // Whole periods are counted in 64 bits, and a double distinguishes them up to 2^53.
   if (options.duration && scene.forcing &&
       *options.duration * scene.forcing->frequency > kTurn * 0x1p53)
     throw InputError("--duration: it must not exceed 2^53 forcing periods");
   if (options.periods > (1LL << 53))
     throw InputError("--periods: it must not exceed 2^53 forcing periods");
+  // Time is not counted in periods of one load where others do not repeat with it.
+  if (!options.duration && !scene.repeats())
+    options.duration = static_cast<double>(options.periods) * kTurn / scene.forcing->frequency;
   if (command.sample_rate && command.record != "samples")
     throw InputError("--sample-rate: it needs --record samples");
   if (command.sample_format != "csv" && (command.record != "samples" || command.out.empty()))
@@ -91,7 +96,7 @@ void add_shapes(std::vector<double> times, const State& start, SimulationOptions
                                                   outcome.message)};
       return;
     }
-    const Vector u = record.beam->rows * run->final.q;
+    const Vector u = record.beam->rows * structure_state(record.system, run->final, run->phase).q;
     record.shapes.push_back({time, record.beam->x, {u.begin(), u.end()}});
   }
 }
@@ -128,13 +133,13 @@ std::optional<MeasureOptions> measure_options(const SimulateCommand& command,
   measure.windows =
       command.force_windows
           ? ForceWindows{(end - measure.from) / *command.force_windows, *command.force_windows}
-          : fitted_windows(end - measure.from, record.system.period());
+          : fitted_windows(end - measure.from, record.system.first_period());
   return measure;
 }
 
 // 1/s. The slowest mode stands in for the forcing where there is none.
 double samples_per_period(const System& system, double count) {
-  if (system.forcing()) return count / system.period();
+  if (system.has_phase()) return count / system.first_period();
   // A hub turns freely; what it carries does not.
   const double slowest = system.turns() ? system.omega[1] : system.omega.minCoeff();
   return slowest > 0.0 ? count * slowest / kTurn : count;
@@ -143,20 +148,20 @@ double samples_per_period(const System& system, double count) {
 // s.
 double end_of(const SimulationOptions& options, const System& system) {
   return options.duration ? *options.duration
-                          : static_cast<double>(options.periods) * system.period();
+                          : static_cast<double>(options.periods) * system.first_period();
 }
 
 // What the run is seen by, where that was asked for.
 std::optional<RunSection> section_of(const SimulateCommand& command, const System& system,
                                      const SimulationOptions& options) {
   if (!command.section) return {};
-  if (!system.forcing())
-    throw InputError("--section: the scene has no forcing, so its motion has no phase");
+  if (!system.has_phase())
+    throw InputError("--section: the scene has no forcing with a frequency, so its motion has no phase");
   if (command.section == DiagramSection::kStroboscopic && command.record == "samples")
     throw InputError(
         "--section stroboscopic: it takes a sample each forcing period; leave out --record "
         "samples");
-  const double period = system.period(), end = end_of(options, system);
+  const double period = system.first_period(), end = end_of(options, system);
   const double from =
       command.transient ? static_cast<double>(*command.transient) * period : 0.1 * end;
   if (from >= end && end > 0.0)
@@ -168,7 +173,7 @@ std::optional<RunSection> section_of(const SimulateCommand& command, const Syste
 
 double sample_rate(const SimulateCommand& command, const System& system,
                    const std::optional<CutRun>& cut) {
-  if (command.section && command.record != "samples") return 1.0 / system.period();
+  if (command.section && command.record != "samples") return 1.0 / system.first_period();
   if (command.record != "samples") {
     const double rate = samples_per_period(system, kPictureSamplesPerPeriod);
     // Nothing settles on a hub: the whole run is looked at.

@@ -39,6 +39,10 @@ inline void require_forcing_and_stop(const Scene& scene) {
   if (!scene.forcing)
     throw scene_error(scene, "forcing",
                       "the table is missing; periodic orbits are counted in forcing periods");
+  if (!scene.repeats())
+    throw scene_error(scene, "forcing",
+                      "the loads have no common period, after which a motion could repeat; such a "
+                      "motion is simulated, and a diagram of it shows runs (--duration)");
   if (scene.stops.empty())
     throw scene_error(scene, "stop", "there is no [[stop]]; periodic orbits here have impacts");
 }

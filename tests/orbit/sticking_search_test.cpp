@@ -125,7 +125,7 @@ TEST(StickingOrbitSearch, HasACurveFromImpactToImpact) {
     SCOPED_TRACE(scene.title);
     const Found found = settled_orbit(scene);
     const double gap = found.system.stops[0].gap;
-    const auto flights = orbit_curve(found.system, found.orbit, found.system.stops[0].row, 100);
+    const auto flights = orbit_curve(found.system, found.orbit, {found.system.stops[0].row}, 100);
     ASSERT_EQ(flights.size(), found.orbit.impacts.size());
     for (std::size_t i = 0; i < flights.size(); ++i) {
       const OrbitImpact& impact = found.orbit.impacts[i];

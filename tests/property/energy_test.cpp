@@ -47,7 +47,7 @@ double energy_scale(const System& system) {
   // response over a whole flight, once for each radian that its quickest mode turns.
   constexpr double kCounted = 256.0;  // roundings that size_of() counts anyway
   if (system.harmonics())
-    scale *= std::max(1.0, std::pow(system.omega.maxCoeff() * system.period(), 2) / kCounted);
+    scale *= std::max(1.0, std::pow(system.omega.maxCoeff() * system.first_period(), 2) / kCounted);
   return scale;
 }
 

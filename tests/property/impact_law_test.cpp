@@ -128,7 +128,7 @@ TEST(RandomScene, ImpactsObeyTheirLaw) {
     const double end = property::kPeriods * support::time_unit(prepared);
     Motion<double> motion(prepared.system, {}, prepared.start.q, prepared.start.qdot);
     ImpactCheck impact(prepared, motion, summary);
-    const bool forced = prepared.system.forcing() != nullptr;
+    const bool forced = prepared.system.repeats();
     summary.count("scenes");
     for (long long impacts = 0; impacts < property::kMostImpacts;) {
       const auto& now = motion.instant();

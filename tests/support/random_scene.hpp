@@ -45,7 +45,7 @@ inline std::optional<Prepared> prepared(const Scene& scene) {
 // through the widest gap.
 inline double time_unit(const Prepared& prepared) {
   const System& system = prepared.system;
-  if (system.forcing()) return system.period();
+  if (system.forcing()) return system.first_period();
   double slowest = 0.0;
   for (const double omega : system.omega)
     if (omega > 0.0 && (slowest == 0.0 || omega < slowest)) slowest = omega;
@@ -71,6 +71,7 @@ class RandomScene {
     for (;;) {
       Scene scene = chance(0.3) ? beam_scene() : modal_scene();
       if (scene.forcing && chance(0.25)) add_loads(scene);
+      if (scene.forcing && chance(0.2)) move_stops(scene);
       if (const auto usable = prepared(scene)) return usable->scene;
     }
   }
@@ -235,7 +236,25 @@ class RandomScene {
         load.kind = ForcingKind::kPoint;
         load.at.shape = list(modes_, 1.0);
       }
+      if (chance(0.1)) {
+        load.own = Frequency{scene.forcing->frequency * dice_.uniform(0.3, 3.0)};
+        load.order.reset();
+      }
       scene.further.push_back(load);
+    }
+  }
+
+  // By up to some of the reach; a scene whose modes cannot follow all of them is drawn again.
+  void move_stops(Scene& scene) {
+    constexpr double kOrders[] = {0.5, 1.0, 1.5, 2.0, 3.0};
+    for (SceneStop& stop : scene.stops) {
+      if (chance(0.3)) {
+        stop.frame = StopFrame::kSpace;
+        continue;
+      }
+      for (int i = dice_.pick(3); i > 0; --i)
+        stop.motion.push_back({reach_ * dice_.uniform(-0.3, 0.3), kOrders[dice_.pick(5)],
+                               dice_.uniform(0.0, 2.0 * std::numbers::pi)});
     }
   }
 

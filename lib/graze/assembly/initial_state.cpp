@@ -178,6 +178,15 @@ std::optional<Vector> static_equilibrium(const System& system) {
   return q;
 }
 
+// With its stops where they are at t = 0.
+System at_start(const System& system) {
+  System there = system;
+  if (!system.carried()) return there;
+  for (const Harmonic& one : *system.carried())
+    for (Stop& stop : there.stops) stop.gap += stop.row.dot(one.at(system.forcing()->phase));
+  return there;
+}
+
 Vector as_vector(const std::vector<double>& list) {
   return Eigen::Map<const Vector>(list.data(), static_cast<Eigen::Index>(list.size()));
 }
@@ -225,8 +234,9 @@ State initial_state(const Scene& scene, const System& system) {
     state = given_start(scene);
   }
   const bool at_rest = scene.initial && scene.initial->in_equilibrium;
-  if (at_rest || (!scene.initial && is_preloaded(system))) {
-    const std::optional<Vector> q = static_equilibrium(system);
+  const System there = at_start(system);
+  if (at_rest || (!scene.initial && is_preloaded(there))) {
+    const std::optional<Vector> q = static_equilibrium(there);
     if (!q)
       throw scene_error(
           scene, at_rest ? "initial.at" : "stop.gap",
@@ -238,6 +248,7 @@ State initial_state(const Scene& scene, const System& system) {
                       at_rest ? "nothing holds" : "its preloads do not hold"));
     state.q = *q;
   }
+  if (system.carried()) state = system_state(system, state, system.forcing()->phase);
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     const Stop& stop = system.stops[i];
     const GapValue<double> gap = gap_value<double>(stop.row, state.q, stop.gap);

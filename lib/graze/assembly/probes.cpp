@@ -55,11 +55,11 @@ std::vector<MeasuredPlace> measured_places(const Scene& scene, const System& sys
     places.push_back({index++,
                       {},
                       unit_in(scene.units, probe_unit(probe.quantity)),
-                      {probe.row, probe.of_velocity}});
+                      measured_row(system, probe.row, probe.of_velocity)});
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     const double side = scene.stops[i].side == Side::kBelow ? -1.0 : 1.0;
     places.push_back(
-        {{}, static_cast<int>(i), unit_in(scene.units, "m"), {side * system.stops[i].row, false}});
+        {{}, static_cast<int>(i), unit_in(scene.units, "m"), measured_row(system, side * system.stops[i].row)});
   }
   return places;
 }

@@ -161,9 +161,9 @@ void AmplitudeMeter::add_exact(const ContactPhase<double>& of, double time, doub
   const ExactPhase<double>& phase = *of.exact();
   const std::vector<MeasuredRow>& rows = options_->rows;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Observable<double> velocity = velocity_of(phase.structure(), rows[i].row);
+    const Observable<double> velocity = velocity_of(phase.structure(), rows[i]);
     const Observable<double> own =
-        rows[i].of_velocity ? velocity : displacement_of(phase.structure(), rows[i].row);
+        rows[i].of_velocity ? velocity : displacement_of(phase.structure(), rows[i]);
     extend(phase, own, from, to, measured_[i].sums.extent);
     integrate(phase, own, from, to, measured_[i].sums);
     if (!rows[i].of_velocity) extend(phase, velocity, from, to, measured_[i].speed);
@@ -226,8 +226,10 @@ void AmplitudeMeter::add_step(const ContactPhase<double>& phase, double theta, d
     phase.state(rule.at[k], state.q, state.qdot);
     contact_forces(system_, phase, rule.at[k], state, force);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      rates[i][k] = rows[i].row.dot(state.qdot);
-      values[i][k] = rows[i].of_velocity ? rates[i][k] : rows[i].row.dot(state.q);
+      const double at = theta + frequency * rule.at[k];
+      rates[i][k] = rows[i].row.dot(state.qdot) + rows[i].carried_rate(at, frequency);
+      values[i][k] = rows[i].of_velocity ? rates[i][k]
+                                         : rows[i].row.dot(state.q) + rows[i].carried_at(at);
     }
     for (std::size_t i = 0; i < loads_.size(); ++i) forces[i][k] = force[i];
   }

@@ -1,6 +1,7 @@
 #include "graze/motion/detail/arc_extent.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "graze/motion/detail/clearance.hpp"
 
@@ -15,17 +16,43 @@ Observable<double> negative(Observable<double> observable) {
   return observable;
 }
 
+// The coordinate z = unit cos(order theta) of a harmonic: its place, and the unit.
+std::pair<Eigen::Index, double> drive_of(const ConstrainedStructure<double>& structure,
+                                         double order) {
+  const std::vector<Harmonic>& list = structure.whole.harmonics;
+  const auto found = std::find_if(list.begin(), list.end(), [&](const Harmonic& one) {
+    return !one.timed && one.order == order;
+  });
+  const auto k = static_cast<std::size_t>(found - list.begin());
+  return {structure.drive(k), structure.units[k]};
+}
+
 }  // namespace
 
 Observable<double> displacement_of(const ConstrainedStructure<double>& structure,
-                                   const Vector& row) {
-  if (structure.is_free()) return {0.0, row, {}, {}};
-  return {row.dot(structure.rest), structure.basis.transpose() * row, {}, {}};
+                                   const MeasuredRow& seen) {
+  if (structure.is_free()) return {0.0, seen.row, {}, {}};
+  Observable<double> of{seen.row.dot(structure.rest), structure.basis.transpose() * seen.row, {}, {}};
+  if (seen.carried.empty()) return of;
+  of.velocity = Vector::Zero(of.displacement.size());
+  for (const MeasuredRow::Harmonic& one : seen.carried) {
+    const auto [at, unit] = drive_of(structure, one.order);
+    of.displacement[at] += one.cosine / unit;
+    of.velocity[at] -= one.sine / (unit * structure.reduced.omega[at]);
+  }
+  return of;
 }
 
-Observable<double> velocity_of(const ConstrainedStructure<double>& structure, const Vector& row) {
-  const Vector on = structure.is_free() ? row : Vector(structure.basis.transpose() * row);
-  return {0.0, Vector::Zero(on.size()), on, {}};
+Observable<double> velocity_of(const ConstrainedStructure<double>& structure,
+                               const MeasuredRow& seen) {
+  const Vector on = structure.seen(seen.row);
+  Observable<double> of{0.0, Vector::Zero(on.size()), on, {}};
+  for (const MeasuredRow::Harmonic& one : seen.carried) {
+    const auto [at, unit] = drive_of(structure, one.order);
+    of.velocity[at] += one.cosine / unit;
+    of.displacement[at] += one.sine * structure.reduced.omega[at] / unit;
+  }
+  return of;
 }
 
 double lowest_along(const ExactPhase<double>& phase, const Observable<double>& observable,

@@ -11,6 +11,18 @@
 #include "graze/system/scale.hpp"
 
 namespace graze {
+namespace {
+
+// Courses of loads, whose flights are cut where their lines meet.
+std::vector<const TimeCourse*> courses_of(const System& system) {
+  std::vector<const TimeCourse*> list;
+  if (system.harmonics())
+    for (const Harmonic& one : *system.harmonics())
+      if (one.timed) list.push_back(one.timed->course.get());
+  return list;
+}
+
+}  // namespace
 
 template <class Real>
 MotionWalk<Real>::MotionWalk(const System& system, Motion<Real>& motion, const Real& closure_speed,
@@ -18,6 +30,7 @@ MotionWalk<Real>::MotionWalk(const System& system, Motion<Real>& motion, const R
     : motion_(motion),
       closure_speed_(closure_speed),
       longest_flight_(longest_flight(system)),
+      courses_(courses_of(system)),
       alone_(system.stops.size() == 1),
       tails_(tails),
       tail_(std::move(tail)) {}
@@ -66,6 +79,8 @@ WalkStep MotionWalk<Real>::depart(const Instant<Real>& end) {
   horizon_ = motion_.flow().period();
   if (tail_ && tail_->over.period == now.period)
     horizon_ = std::min<Real>(horizon_, tail_->over.local);
+  for (const TimeCourse* course : courses_)
+    horizon_ = std::min<Real>(horizon_, Real(course->next(static_cast<double>(now.local))));
   if (horizon_ - now.local > longest_flight_) horizon_ = now.local + longest_flight_;
   cut_ = now.period == end.period && end.local <= horizon_;
   until_ = cut_ ? end.local : horizon_;

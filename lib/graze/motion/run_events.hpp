@@ -56,8 +56,9 @@ struct RunTotals {
 };
 
 struct Sample {
-  double time = 0.0;  // s
-  State state;
+  double time = 0.0;   // s
+  State state;         // of the system; structure_state has that of its structure
+  double phase = 0.0;  // of the forcing, rad; 0 without
   std::vector<double> forces;           // contact force at every stop, N; 0 where it is open
   std::optional<EnergyBalance> energy;  // up to this instant, when the run keeps the balance
 };

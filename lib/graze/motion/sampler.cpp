@@ -7,7 +7,7 @@
 
 namespace graze {
 
-bool Sampler::hand_out(Motion<double>& motion, double start_time, double flight,
+bool Sampler::hand_out(Motion<double>& motion, double theta, double start_time, double flight,
                        const EnergyBalance& balance, long long& samples,
                        const std::function<bool()>& goes_on) {
   Sample& sample = sample_;
@@ -22,11 +22,13 @@ bool Sampler::hand_out(Motion<double>& motion, double start_time, double flight,
     if (s > flight) return true;
     if (!goes_on()) return false;
     phase.state(s, sample.state.q, sample.state.qdot);
+    sample.phase = system_.forcing() ? theta + system_.forcing()->frequency * s : 0.0;
     contact_forces(system_, phase, s, sample.state, sample.forces);
     if (energy_) {
       sample.energy = balance;
-      sample.energy->work = balance.work + work_along(system_, phase, s);
-      sample.energy->now = mechanical_energy(system_, sample.state.q, sample.state.qdot);
+      sample.energy->work = balance.work + work_along(system_, phase, s, theta);
+      const State own = structure_state(system_, sample.state, sample.phase);
+      sample.energy->now = mechanical_energy(system_, own.q, own.qdot);
     }
     listeners_.sample(sample);
     ++samples;

@@ -37,7 +37,7 @@ class Run {
     motion_.stop_on(options.stop);
     note_gaps();
     if (options.energy && !state_.keeps_balance)
-      state_.balance = {mechanical_energy(system_, motion_.q(), motion_.qdot()), 0.0, {}, 0.0};
+      state_.balance = {energy_of({motion_.q(), motion_.qdot()}, phase()), 0.0, {}, 0.0};
     state_.keeps_balance = options.energy;
   }
 
@@ -48,6 +48,7 @@ class Run {
     const MotionState<double>& last = stopped_in_arc_ ? motion_.departure() : motion_.state();
     result_.end_time = stopped_in_arc_.value_or(time());
     result_.final = {last.q, last.qdot};
+    result_.phase = motion_.flow().phase(last.instant);
     for (int i = 0; i < stops(); ++i) {
       if (walk_.is_stuck(i)) result_.stuck.push_back(i);
       // When the motion is refused at an instant, the forces are those before it.
@@ -57,7 +58,7 @@ class Run {
     result_.totals = state_.totals;
     result_.evaluations += motion_.step_evaluations();
     if (options_.energy) {
-      state_.balance.now = mechanical_energy(system_, last.q, last.qdot);
+      state_.balance.now = energy_of(result_.final, result_.phase);
       result_.energy = state_.balance;
     }
     result_.amplitudes = meter_.result();
@@ -178,12 +179,13 @@ class Run {
       work_ += system_.modes();
       return within_budget();
     };
-    if (listeners_.sample &&
-        !sampler_.hand_out(motion_, start_time, flight, state_.balance, state_.samples, within))
+    const double theta = motion_.flow().phase(walk_.departure());
+    if (listeners_.sample && !sampler_.hand_out(motion_, theta, start_time, flight, state_.balance,
+                                                state_.samples, within))
       return false;
     if (options_.energy && flight > 0.0)
-      state_.balance.work = state_.balance.work + work_along(system_, motion_.flown(), flight);
-    meter_.add_flight(motion_.flown(), motion_.flow().phase(walk_.departure()), start_time, flight);
+      state_.balance.work = state_.balance.work + work_along(system_, motion_.flown(), flight, theta);
+    meter_.add_flight(motion_.flown(), theta, start_time, flight);
     const double deepest = graze::follow(state_.contacts, motion_.flown(), flight);
     if (deepest > 0.0) note_gap(-deepest, state_.totals);
     const std::vector<int>& closed = motion_.flown().closed();
@@ -209,7 +211,7 @@ class Run {
   }
 
   bool spent(RunOutcome outcome, const std::string& budget) {
-    result_.crowd = crowd_.sentence(system_.forcing() ? system_.period() : longest_flight(system_),
+    result_.crowd = crowd_.sentence(system_.repeats() ? system_.period() : longest_flight(system_),
                                     system_.units);
     return stop_run(
         outcome, "the budget of " + budget + " was spent at " + moment_text(time(), system_.units));
@@ -231,13 +233,20 @@ class Run {
     return false;
   }
 
+  // Of the forcing now, rad.
+  double phase() const { return motion_.flow().phase(motion_.instant()); }
+  double energy_of(const State& state, double theta) const {
+    const State own = structure_state(system_, state, theta);
+    return mechanical_energy(system_, own.q, own.qdot);
+  }
+
   Event event_at(EventKind kind, int i) const {
     return {kind, time(), motion_.instant().period, i};
   }
   Event arrival_at(EventKind kind, int i, double speed) {
     Event event = event_at(kind, i);
     event.speed = speed;
-    if (system_.forcing()) event.phase = wrapped(motion_.flow().phase(motion_.instant()));
+    if (system_.has_phase()) event.phase = wrapped(phase());
     note_gap_at(i);
     return event;
   }
@@ -258,6 +267,8 @@ class Run {
     impact_energy(system_, walk_.shares(), motion_.q(), walk_.qdot_before(), motion_.qdot(),
                   impact_energy_);
     enter_energy(impact_energy_.total);
+    add_carried_jump(system_, phase(), {motion_.q(), walk_.qdot_before()},
+                     {motion_.q(), motion_.qdot()}, state_.balance.work);
     meter_.add_impact(walk_.shares(), time());
     for (const ImpactEnergy::Hit& hit : impact_energy_.hits) enter_hit(hit.share, hit.change);
   }
@@ -306,10 +317,11 @@ class Run {
 
   void enter_chatter() {
     const std::vector<ImpactShare<double>>& shares = walk_.shares();
-    const double change = closure_energy_change(
-        system_, walk_.closed().closed, motion_.flow().phase(motion_.instant()),
-        {walk_.closed().q_before, walk_.closed().qdot_before}, {motion_.q(), motion_.qdot()},
-        state_.balance.work);
+    const State before{walk_.closed().q_before, walk_.closed().qdot_before};
+    const State after{motion_.q(), motion_.qdot()};
+    const double change = closure_energy_change(system_, walk_.closed().closed, phase(), before,
+                                                after, state_.balance.work);
+    add_carried_jump(system_, phase(), before, after, state_.balance.work);
     enter_energy(change);
     meter_.add_closure(walk_.closed().closed, walk_.closed().qdot_before - motion_.qdot(), time());
     const auto last =

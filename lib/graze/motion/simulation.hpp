@@ -77,7 +77,8 @@ struct Simulation {
   // (event_crowd.hpp). Covers only this part of a run that was cut.
   std::string crowd;
   double end_time = 0.0;
-  State final;
+  State final;         // of the system
+  double phase = 0.0;  // of the forcing at the end, rad; 0 without
   std::vector<int> stuck;      // closed stops at the end (index from 0)
   std::vector<double> forces;  // contact forces at the end, N, one per stop
   RunTotals totals;

@@ -41,7 +41,7 @@ std::vector<std::vector<CurveSample>> from_impact_to_impact(
 }  // namespace
 
 std::vector<std::vector<CurveSample>> orbit_curve(const System& system, const Orbit& orbit,
-                                                  const Vector& row, int per_period) {
+                                                  const MeasuredRow& seen, int per_period) {
   const double frequency = system.forcing()->frequency;
   // The hops of a chatter are short and still curves, and so are contacts.
   const double least = orbit.section ? 12.0 : 1.0;
@@ -54,7 +54,9 @@ std::vector<std::vector<CurveSample>> orbit_curve(const System& system, const Or
     flights.emplace_back();
     for (int k = 0; k <= count; ++k) {
       phase.state(seconds * k / count, state.q, state.qdot);
-      flights.back().push_back({theta + turn * k / count, row.dot(state.q), row.dot(state.qdot)});
+      const double at = theta + turn * k / count;
+      flights.back().push_back({at, seen.row.dot(state.q) + seen.carried_at(at),
+                                seen.row.dot(state.qdot) + seen.carried_rate(at, frequency)});
     }
   };
   const std::vector<bool> begins_at_impact = fly_orbit(system, orbit, listeners);

@@ -35,7 +35,7 @@ double balance_rounding(const System& system, const Simulation& run) {
   if (system.forcing() && !system.has_closed_forms()) {
     const Vector quickest = system.omega.cwiseMax(system.forcing()->frequency);
     const double response = system.forcing()->size().cwiseQuotient(quickest).squaredNorm();
-    moments = 0.5 * response * std::pow(quickest.maxCoeff() * system.period(), 2);
+    moments = 0.5 * response * std::pow(quickest.maxCoeff() * std::fmin(system.period(), longest_flight(system)), 2);
   }
   const double steps = system.turns() ? 4.0 * system.omega.maxCoeff() / kTurn * run.end_time : 0.0;
   return (kAmplification * std::numeric_limits<double>::epsilon() * std::sqrt(flights) +
@@ -83,6 +83,7 @@ EnergyEntries energy_entries(const System& system, const EnergyBalance& balance)
     entries.constraint = balance.work.constraint;
     entries.impacts = balance.impacts;
   }
+  if (system.carried()) entries.stops = balance.work.stops;
   if (system.has_compliant_stop()) entries.contact = balance.work.contact;
   const bool damped = (decay_rates(system).array() != 0.0).any();
   if (damped || (hub && hub->friction)) entries.dissipation = balance.work.dissipation;

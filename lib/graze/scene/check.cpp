@@ -191,6 +191,11 @@ void check_start(const Scene& scene) {
 
 void check_load(const Scene& scene, const HarmonicLoad& load, const std::string& table) {
   const ValueChecker checker(scene, table);
+  if (load.signal && !load.signal->course) checker.fail("signal", "it has not been read");
+  if (load.signal && load.kind == ForcingKind::kNone)
+    checker.fail("kind", "a signal is that of a load, it must not be \"none\"");
+  if (scene.forcing->signal && load.order)
+    checker.fail("order", "the first load is a signal, which has no frequency, it must be frequency");
   const ModalStructure* modal = scene.modal();
   if (load.kind == ForcingKind::kPoint) check_load_point(scene, load.at, table);
   if (modal == nullptr && load.kind == ForcingKind::kModal) {
@@ -226,8 +231,11 @@ void check_forcing(const Scene& scene) {
   for (const HarmonicLoad* load : scene.harmonic_loads())
     check_load(scene, *load, numbered_path("forcing", ++number));
   if (!(scene.common_order() > 0.0))
-    throw scene_error(scene, scene.further.empty() ? "forcing.order" : "forcing.2.order",
-                      "the frequencies of the loads have no common period of up to 64 periods of "
+    throw scene_error(scene,
+                      !scene.further.empty()      ? "forcing.2.order"
+                      : scene.has_moving_stop()   ? "stop.motion"
+                                                  : "forcing.order",
+                      "the frequencies of loads and stops have no common period of up to 64 periods of "
                       "the forcing, orders must be whole numbers or ratios of small ones");
 }
 
@@ -300,9 +308,35 @@ void check_stop(const Scene& scene, const SceneStop& stop, std::size_t number) {
   }
 }
 
+// What moves in time needs a frequency, and what stays in space something that is shaken.
+void check_motion(const Scene& scene, const SceneStop& stop, const std::string& table) {
+  if (stop.frame == StopFrame::kSpace && (!stop.against.empty() || scene.hub))
+    throw scene_error(scene, table + ".frame",
+                      "the stop is part of the structure, it must be left out");
+  const auto is_base = [](const HarmonicLoad* load) { return load->kind == ForcingKind::kBase; };
+  for (const HarmonicLoad* load : scene.harmonic_loads())
+    if (stop.frame == StopFrame::kSpace && is_base(load) && (load->own || load->signal))
+      throw scene_error(scene, table + ".frame",
+                        "the clamp is shaken by a load that is no harmonic of the first; a stop "
+                        "that stays in space meanwhile is not simulated, it must be left out");
+  if (stop.motion.empty()) return;
+  if (scene.forcing && scene.forcing->signal)
+    throw scene_error(scene, table + ".motion",
+                      "the first load is a signal, which has no frequency for stops to move by; it "
+                      "must stand behind a harmonic one");
+  if (scene.hub)
+    throw scene_error(scene, table + ".motion",
+                      "a stop of a structure on a hub does not move, it must be left out");
+  if (!scene.forcing)
+    throw scene_error(scene, "forcing",
+                      "the table is missing, a stop that moves needs its frequency (with kind = "
+                      "\"none\" where no force acts)");
+}
+
 void check_stops(const Scene& scene) {
   for (std::size_t k = 0; k < scene.stops.size(); ++k) {
     check_stop(scene, scene.stops[k], k + 1);
+    check_motion(scene, scene.stops[k], numbered_path("stop", k + 1));
   }
   // An impact at several stops at once is solved by one law for all of them.
   const SceneStop* rigid = nullptr;

@@ -40,6 +40,8 @@ inline constexpr Range kPoissonRatio{
     -1.0, 0.5, false, true, "greater than -1 and at most 0.5", "in (-1, 0.5]"};
 
 inline constexpr Range kDirection{0.0, 3.0, true, true, "from 0 to 3", "1, 2, 3; 0"};
+inline constexpr Range kSeed{
+    0.0, 2147483647.0, true, true, "from 0 to 2147483647", "integer >= 0"};
 inline constexpr Range kModeCount{1.0, 2000.0, true, true, "from 1 to 2000", "integer, 1 to 2000"};
 
 // The range of a key that check.cpp has a rule for.

@@ -239,7 +239,8 @@ bool leaves_structure(const std::string& name) {
            begins("gravity.") || begins("hub.") || path == "beam.thickness" ||
            (begins("load.") && contains(".force")) ||
            (begins("stop.") &&
-            (contains(".gap") || contains(".restitution") || contains(".spring")));
+            (contains(".gap") || contains(".restitution") || contains(".spring") ||
+             contains(".motion")));
   };
   const std::vector<std::string> parts = split_at(name, ',');
   return std::all_of(parts.begin(), parts.end(), leaves);

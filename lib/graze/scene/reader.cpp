@@ -12,6 +12,7 @@
 #include "graze/scene/detail/schema.hpp"
 #include "graze/scene/detail/settings.hpp"
 #include "graze/scene/detail/table_reader.hpp"
+#include "graze/scene/detail/signal_file.hpp"
 #include "graze/scene/detail/text_file.hpp"
 #include "graze/scene/detail/torque_table.hpp"
 #include "graze/scene/matrix_structure.hpp"
@@ -225,6 +226,10 @@ class KeyReader : public SchemaVisitor {
     const Node* node = table_.find(key.name);
     if (node == nullptr) return;
     const std::string path = table_.path(key.name);
+    if (may_be_list_of_tables(path) && node->as<NodeList>() == nullptr) {
+      values.resize(1);
+      return read_table(reading_, *node, path, values.front(), pass_);
+    }
     const NodeList& entries = tables_of(*node, path);
     values.resize(entries.size());
     for (std::size_t k = 0; k < values.size(); ++k)
@@ -320,6 +325,7 @@ Scene parse_scene(const std::string& text, const std::string& name,
   if (!reading.written.empty())
     scene.written = std::make_shared<WrittenUnits>(std::move(reading.written));
   probe_loads(scene);
+  read_signals(scene);
   if (scene.discrete()) solve_matrices(scene);
   check_scene(scene);
   return scene;

@@ -30,16 +30,43 @@ bool Scene::has_load(ForcingKind kind) const {
                      [&](const HarmonicLoad* load) { return load->kind == kind; });
 }
 
+bool Scene::repeats() const {
+  const std::vector<const HarmonicLoad*> list = harmonic_loads();
+  return forcing && std::none_of(list.begin(), list.end(), [](const HarmonicLoad* load) {
+           return load->own || load->signal;
+         });
+}
+
+std::vector<StopMotion> Scene::motion_of(const SceneStop& stop) const {
+  std::vector<StopMotion> terms = stop.motion;
+  if (stop.frame == StopFrame::kClamp) return terms;
+  for (const HarmonicLoad* load : harmonic_loads())
+    if (load->kind == ForcingKind::kBase && !load->own && !load->signal)
+      terms.push_back({-load->amplitude, load->order, load->phase});
+  return terms;
+}
+
+bool Scene::has_moving_stop() const {
+  return std::any_of(stops.begin(), stops.end(),
+                     [&](const SceneStop& stop) { return !motion_of(stop).empty(); });
+}
+
 double Scene::common_order() const {
   // Beyond such denominators a motion would have to be followed over hundreds of periods.
   constexpr int kLargestDenominator = 64;
   // Of a ratio as it is written: 0.3333333333 is a third.
   constexpr double kWritten = 1e-9;
+  std::vector<double> orders;
+  for (const HarmonicLoad* load : harmonic_loads())
+    if (!load->own && !load->signal) orders.push_back(load->order.value_or(1.0));
+  for (const SceneStop& stop : stops)
+    for (const StopMotion& term : stop.motion) orders.push_back(term.order.value_or(1.0));
+  if (orders.empty()) return 1.0;
   for (int q = 1; q <= kLargestDenominator; ++q) {
     long long common = 0;
     bool fits = true;
-    for (const HarmonicLoad* load : harmonic_loads()) {
-      const double multiple = q * load->order.value_or(1.0), whole = std::round(multiple);
+    for (const double order : orders) {
+      const double multiple = q * order, whole = std::round(multiple);
       fits = fits && whole >= 1.0 && std::abs(multiple - whole) <= kWritten * multiple;
       if (fits) common = std::gcd(common, std::llround(whole));
     }

@@ -17,12 +17,16 @@
 #include "graze/contact/contact_force.hpp"
 #include "graze/contact/hertz_stiffness.hpp"
 #include "graze/scene/structures.hpp"
+#include "graze/system/time_course.hpp"
 
 namespace graze {
 
 enum class Side { kAbove, kBelow };
 enum class Impulse { kMomentum, kCollocation };
-enum class ForcingKind { kBase, kDistributed, kModal, kPoint };
+// kNone: no force; its frequency is that of what moves otherwise.
+enum class ForcingKind { kBase, kDistributed, kModal, kPoint, kNone };
+// What a stop stands on: the clamp, or ground, with which it is shaken, or what does not move.
+enum class StopFrame { kClamp, kSpace };
 // How the motion between impacts is computed: exactly, or integrated step by step by rk4, dopri5,
 // fehlberg78, or (with a hub) bulirsch-stoer.
 enum class FlowChoice { kAuto, kExact, kRk4, kDopri5, kFehlberg78, kBulirschStoer };
@@ -101,15 +105,38 @@ struct StructurePoint {
   std::string node{}, against{};
 };
 
-// amplitude cos(order frequency t + phase), with the frequency of the first load of a scene
+enum class SpectrumSides { kOne, kTwo };
+
+// A course of time from a file, joined by straight lines; nothing beside it, or again and again. Or
+// one that is drawn: a sum of harmonics with random phases that has a spectral density.
+struct SignalSource {
+  std::string file{};      // a table with a row of names
+  std::string column{};    // whose values those are; empty: the second one
+  std::string time{};      // of the instants, s; empty: the first one
+  bool repeats = false;
+  std::string spectrum{};  // in place of `file`: frequency, Hz, and density, unit^2/Hz, by columns
+  SpectrumSides sides = SpectrumSides::kOne;
+  int seed = 1;
+  double duration = 0.0;  // s, over which the drawn course does not repeat
+  double step = 0.0;      // s, between its instants
+  std::shared_ptr<const TimeCourse> course{};  // as it was read or drawn
+};
+
+// amplitude cos(order frequency t + phase), with the frequency of the first load of a scene, or with
+// one of its own; or amplitude times a course of time.
 struct HarmonicLoad {
   ForcingKind kind = ForcingKind::kBase;
-  double amplitude = 0.0;         // base: m; distributed: N/m; modal: 1; point: N
+  double amplitude = 0.0;         // base: m; distributed: N/m; modal: 1; point: N; none: 0
   std::optional<double> order{};  // a ratio of small whole numbers; absent: 1
   double phase = 0.0;             // rad
   StructurePoint at{};            // of the kind "point"
+  // In place of the order, > 0; loads then have no common period.
+  std::optional<Frequency> own{};
+  // In place of the harmonic; of the kind "base" the acceleration of the clamp.
+  std::optional<SignalSource> signal{};
 };
 
+// The first load; of one that is a signal the frequency is 1 rad/s.
 struct Forcing : HarmonicLoad {
   Frequency frequency{};  // > 0
 };
@@ -173,6 +200,13 @@ struct Spring {
   bool is_residual = false;
 };
 
+// amplitude cos(order frequency t + phase) along u, with the frequency of the forcing.
+struct StopMotion {
+  double amplitude = 0.0;         // m
+  std::optional<double> order{};  // as of a HarmonicLoad
+  double phase = 0.0;             // rad
+};
+
 // At the point that meets it; where that is relative to another one, the gap is one between two
 // bodies.
 struct SceneStop : StructurePoint {
@@ -183,6 +217,8 @@ struct SceneStop : StructurePoint {
   std::vector<double> restitution = {0.0};
   Impulse impulse = Impulse::kMomentum;
   std::optional<Spring> spring{};  // in place of restitution and impulse
+  std::vector<StopMotion> motion{};  // the sum of which it moves by
+  StopFrame frame = StopFrame::kClamp;
 };
 
 // kDisplacement, kVelocity: of the point, with a hub along the arc from angle 0 on; kDeflection:
@@ -251,8 +287,13 @@ struct Scene {
   // All loads, the first one first.
   std::vector<const HarmonicLoad*> harmonic_loads() const;
   bool has_load(ForcingKind kind) const;
-  // The largest part of the forcing frequency of which each load's frequency is a whole multiple;
-  // 0 where there is none, as of incommensurate orders.
+  // Whether loads have a common period: all are harmonics of the first one's frequency.
+  bool repeats() const;
+  // How a stop moves relative to the clamp, in the order of its terms and then of the loads.
+  std::vector<StopMotion> motion_of(const SceneStop& stop) const;
+  bool has_moving_stop() const;
+  // The largest part of the forcing frequency of which the frequency of each load and of each
+  // motion of a stop is a whole multiple; 0 where there is none, as of incommensurate orders.
   double common_order() const;
 
   const Beam* beam() const { return std::get_if<Beam>(&structure); }

@@ -13,21 +13,25 @@ constexpr const char* kLists[] = {
     "load",        "lumped.spring", "lumped.gyroscopic"};
 
 // A table, or the first of several.
-constexpr const char* kMayBeList = "forcing";
+constexpr const char* kMayBeLists[] = {"forcing", "stop.motion"};
 
-// The path without the number of its table, where `leave` returns true for that number.
+bool is_among(const auto& lists, const std::string& path) {
+  return std::find(std::begin(lists), std::end(lists), path) != std::end(lists);
+}
+
+// The path without the numbers of its tables for which `leave` returns true.
 std::string shortened(const std::string& path, auto&& leave) {
-  std::vector<std::string> lists(std::begin(kLists), std::end(kLists));
-  lists.emplace_back(kMayBeList);
-  for (const std::string& list : lists) {
-    if (path.compare(0, list.size() + 1, list + ".") != 0) continue;
-    const std::size_t begin = list.size() + 1;
+  std::string kept, plain;  // plain: without any number
+  for (std::size_t begin = 0; begin <= path.size();) {
     const std::size_t end = std::min(path.find('.', begin), path.size());
-    const std::string number = path.substr(begin, end - begin);
-    if (number.empty() || number.find_first_not_of("0123456789") != std::string::npos) continue;
-    if (leave(number)) return list + path.substr(end);
+    const std::string part = path.substr(begin, end - begin);
+    begin = end + 1;
+    const bool is_number = !part.empty() && part.find_first_not_of("0123456789") == part.npos;
+    const bool of_table = is_number && (is_among(kLists, plain) || is_among(kMayBeLists, plain));
+    if (!of_table) plain = joined_path(plain, part);
+    if (!of_table || !leave(part)) kept = joined_path(kept, part);
   }
-  return path;
+  return kept;
 }
 
 }  // namespace
@@ -37,10 +41,12 @@ std::string joined_path(const std::string& table, const std::string& key) {
 }
 
 bool is_list_of_tables(const std::string& path) {
-  return std::find(std::begin(kLists), std::end(kLists), path) != std::end(kLists);
+  return is_among(kLists, without_number(path));
 }
 
-bool may_be_list_of_tables(const std::string& path) { return path == kMayBeList; }
+bool may_be_list_of_tables(const std::string& path) {
+  return is_among(kMayBeLists, without_number(path));
+}
 
 std::string without_number(const std::string& path) {
   return shortened(path, [](const std::string&) { return true; });

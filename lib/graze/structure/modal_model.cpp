@@ -129,6 +129,7 @@ Vector span_inertia_rate(const Scene& scene, const SpanModes& modes, const Vecto
 Vector span_participation(const Scene& scene, const HarmonicLoad& load, const SpanModes& modes,
                           const Matrix& phi) {
   if (load.kind == ForcingKind::kPoint) return shapes_of(modes, load.at.position);
+  if (load.kind == ForcingKind::kNone) return Vector::Zero(scene.modes());
   if (load.kind != ForcingKind::kDistributed) return span_inertia(scene, modes, phi);
   if (collocates(scene))
     return span_inertia(scene, modes, phi) / mass_per_length(scene, nullptr).value;
@@ -143,6 +144,7 @@ Vector span_participation_rate(const Scene& scene, const Scene& direction, std::
   if (load.kind == ForcingKind::kPoint)
     return shape_rates_at(modes, load.at, direction.harmonic_loads()[k]->at);
   const Vector& g = model.participations[k];
+  if (load.kind == ForcingKind::kNone) return Vector::Zero(g.size());
   const bool distributed = load.kind == ForcingKind::kDistributed;
   if (distributed && !collocates(scene))
     return std::visit([](const auto& has) { return has.load_rate(); }, modes);
@@ -158,10 +160,11 @@ ModalModel given_numbers(const Scene& scene, const Scene& of) {
   ModalModel model;
   model.omega = as_vector(modal.frequencies);
   for (const HarmonicLoad* load : of.harmonic_loads())
-    model.participations.emplace_back(as_vector(load->kind == ForcingKind::kBase ? modal.inertia
-                                                : load->kind == ForcingKind::kPoint
-                                                    ? load->at.shape
-                                                    : modal.participation));
+    model.participations.emplace_back(
+        load->kind == ForcingKind::kNone    ? Vector(Vector::Zero(model.omega.size()))
+        : load->kind == ForcingKind::kBase  ? Vector(as_vector(modal.inertia))
+        : load->kind == ForcingKind::kPoint ? Vector(as_vector(load->at.shape))
+                                            : Vector(as_vector(modal.participation)));
   if (scene.gravity) model.inertia = as_vector(modal.inertia);
   for (const SceneStop& stop : of.stops) model.shapes.emplace_back(as_vector(stop.shape));
   for (const PointLoad& load : of.loads) model.loads.emplace_back(as_vector(load.shape));
@@ -203,8 +206,9 @@ ModalModel discrete_tangent(const Scene& scene, const ModalModel& model, const S
   for (const HarmonicLoad* load : scene.harmonic_loads())
     rate.participations.push_back(load->kind == ForcingKind::kPoint  ? of_point(next++)
                                   : load->kind == ForcingKind::kBase ? rates.inertia.at(along)
-                                                                     : Vector(rates.shapes.transpose() *
-                                                                              modes.load));
+                                  : load->kind == ForcingKind::kNone
+                                      ? Vector(Vector::Zero(rates.omega.size()))
+                                      : Vector(rates.shapes.transpose() * modes.load));
   return rate;
 }
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -22,13 +23,31 @@
 #include "graze/contact/contact_force.hpp"
 #include "graze/contact/restitution.hpp"
 #include "graze/system/rotation.hpp"
+#include "graze/system/time_course.hpp"
 
 namespace graze {
 
-// A force cosine cos(order theta) + sine sin(order theta), kg^1/2 m/s^2, N entries each.
+// cosine cos(order theta) + sine sin(order theta), N entries each; of a force, kg^1/2 m/s^2. Where a
+// course takes the place of the cosine, the sine is zero.
 struct Harmonic {
-  int order = 1;
+  // A course over the time t = (theta - phase)/frequency.
+  struct Timed {
+    std::shared_ptr<const TimeCourse> course;
+    double frequency = 1.0, phase = 0.0;  // of the forcing
+
+    double time(double theta) const { return (theta - phase) / frequency; }
+  };
+  double order = 1.0;  // whole, where loads have a common period; 0 of a course
   Vector cosine, sine;
+  std::optional<Timed> timed{};
+
+  Vector at(double theta) const;
+  Vector rate_at(double theta) const;  // per rad
+  // cos(order theta) and -sin(order theta), or the course and what stands for its rate: z = unit
+  // wave and z' = unit max(frequency, 1 1/s) swing, see ConstrainedStructure.
+  double wave(double theta) const;
+  double swing(double theta) const;
+  double largest_wave() const;
 
   ComplexVector force() const;  // F of Re(F e^{i order theta})
 };
@@ -39,6 +58,9 @@ struct HarmonicForcing {
   double phase = 0.0;      // rad
   Vector amplitude;        // modal force, kg^1/2 m/s^2, N entries
   std::vector<Harmonic> harmonics{};
+  // False where loads have no common period: theta then counts on and is not taken modulo 2 pi.
+  bool repeats = true;
+  bool has_phase = true;  // false where the frequency is that of no load
 
   Vector at(double theta) const;
   Vector rate_at(double theta) const;  // of f, per rad
@@ -81,6 +103,9 @@ struct NaturalModes {
   std::optional<HarmonicForcing> forcing{};
   std::optional<Vector> load{};      // constant modal force (gravity), kg^1/2 m/s^2, N
   std::optional<Matrix> coupling{};  // the rest of D, 1/s, N x N with a zero diagonal
+  // Stops that move, by row.c = their motion: q is then that of the structure less c, a sum of
+  // harmonics of orders that the forcing has too (kg^1/2 m), and stops stand still; empty: none.
+  std::vector<Harmonic> carried{};
   // Displacements of the masses or degrees of freedom by the modes, N x N, of a structure whose
   // modes may change their sign or their order along a branch.
   std::optional<Matrix> coordinates{};
@@ -132,6 +157,10 @@ struct System {
     if (coupling()) force += *coupling() * qdot;
     return force;
   }
+  // What stops that move carry the structure along by; null where all stand still.
+  const std::vector<Harmonic>* carried() const {
+    return !turns() && !modal().carried.empty() ? &modal().carried : nullptr;
+  }
   // Null without harmonics beside the first.
   const std::vector<Harmonic>* harmonics() const {
     return forcing() && !forcing()->harmonics.empty() ? &forcing()->harmonics : nullptr;
@@ -142,11 +171,22 @@ struct System {
   // others are followed.
   bool has_modal_flights() const { return !has_compliant_stop() && has_closed_forms(); }
   const Vector* load() const { return !turns() && modal().load ? &*modal().load : nullptr; }
-  // T = 2 pi/frequency, s; infinite without forcing.
+  bool repeats() const { return forcing() && forcing()->repeats; }
+  // T = 2 pi/frequency, s; infinite where no loads repeat.
   double period() const {
-    return forcing() ? kTurn / forcing()->frequency : std::numeric_limits<double>::infinity();
+    return repeats() ? kTurn / forcing()->frequency : std::numeric_limits<double>::infinity();
   }
+  // That of the first load, beside which others may not repeat; infinite where that has none.
+  double first_period() const {
+    return has_phase() ? kTurn / forcing()->frequency : std::numeric_limits<double>::infinity();
+  }
+  bool has_phase() const { return forcing() && forcing()->has_phase; }
 };
+
+// The structure's own state at forcing phase theta (rad), and that of the system, which differ where
+// stops move.
+State structure_state(const System& system, const State& state, double theta);
+State system_state(const System& system, const State& structure, double theta);
 
 // Forces on the modes, kg^1/2 m/s^2, as they are set; of several harmonics the sums of their sizes.
 // Empty without forcing.

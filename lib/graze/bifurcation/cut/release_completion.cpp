@@ -54,7 +54,7 @@ std::optional<HarmonicSum> constraint_force(const System& system, const std::vec
   HarmonicSum force{LuFactors(at_rest).solve(held)[place],
                     {swing(1, system.forcing()->amplitude.cast<Complex>())}};
   for (const Harmonic& one : system.forcing()->harmonics)
-    force.terms.push_back(swing(one.order, one.force()));
+    force.terms.push_back(swing(static_cast<int>(one.order), one.force()));
   if (!std::isfinite(force.least())) return {};
   return force;
 }

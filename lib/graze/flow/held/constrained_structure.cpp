@@ -61,15 +61,16 @@ void add_harmonics(ConstrainedStructure<double>& held, const Matrix& inverse,
   held.reduced.omega = padded(held.reduced.omega, all, 1);
   for (Eigen::Index k = 0; k < count; ++k) {
     const Harmonic& one = held.whole.harmonics[static_cast<std::size_t>(k)];
-    const double frequency = one.order * held.whole.frequency;
-    const Vector stiffness = held.whole.omega.cwiseAbs2().cwiseMax(frequency * frequency);
+    const double frequency = one.timed ? 0.0 : one.order * held.whole.frequency;
+    const double least = one.timed ? 1.0 : frequency;
+    const Vector stiffness = held.whole.omega.cwiseAbs2().cwiseMax(least * least);
     const double moved =
         one.cosine.cwiseQuotient(stiffness).norm() + one.sine.cwiseQuotient(stiffness).norm();
     const double unit = moved > 0.0 ? moved : 1.0;
     held.units.push_back(unit);
     held.reduced.omega[m + k] = frequency;
     coupled.stiffness.col(m + k).head(m) = -left * one.cosine / unit;
-    coupled.damping.col(m + k).head(m) = left * one.sine / (unit * frequency);
+    if (!one.timed) coupled.damping.col(m + k).head(m) = left * one.sine / (unit * frequency);
     coupled.stiffness(m + k, m + k) = frequency * frequency;
   }
 }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "graze/flow/stepped/detail/step_methods.hpp"
+#include "graze/flow/variation/detail/carried_work.hpp"
 #include "graze/system/detail/gap_value.hpp"
 
 namespace graze {
@@ -37,6 +38,7 @@ SprungPhase::SprungPhase(const System& system, const PhaseKey& key,
     : SprungPhase(system, key, sprung_equations(system, key)) {
   add_force_weights(system);
   if (structure_.left.size() > 0 || system.harmonics()) add_powers(system);
+  if (system.carried()) add_moving(system);
   integrate(steps);
 }
 
@@ -66,9 +68,9 @@ void SprungPhase::add_powers(const System& system) {
     for (std::size_t k = 0; k < system.harmonics()->size(); ++k) {
       const Harmonic& one = (*system.harmonics())[k];
       const Eigen::Index at = structure_.drive(k);
-      const double unit = structure_.units[k], frequency = structure_.reduced.omega[at];
+      const double unit = structure_.units[k];
       powers.by_place.col(at) = basis.transpose() * one.cosine / unit;
-      powers.by_rate.col(at) = -basis.transpose() * one.sine / (unit * frequency);
+      powers.by_rate.col(at) = -basis.transpose() * one.sine / structure_.rate_unit(k);
     }
   }
   if (structure_.left.size() == 0) return;
@@ -77,6 +79,18 @@ void SprungPhase::add_powers(const System& system) {
     // A contact force of 1 N accelerates by -direction |row|^2.
     powers.held.push_back({watches()[static_cast<std::size_t>(i)],
                            stop.row.squaredNorm() * basis.transpose() * stop.direction()});
+  }
+}
+
+void SprungPhase::add_moving(const System& system) {
+  StructureForms forms = structure_forms(system, structure_);
+  SprungSystem::Moving& moving = equations_.moving.emplace(SprungSystem::Moving{
+      std::move(forms.place), std::move(forms.rate), std::move(forms.forcing),
+      std::move(forms.force_place), std::move(forms.force_rate), system.damping(), spring_rows_, {}});
+  for (const int i : structure_.constrained) {
+    const Stop& stop = system.stops[static_cast<std::size_t>(i)];
+    moving.held.push_back({watches()[static_cast<std::size_t>(i)],
+                           stop.row.squaredNorm() * stop.direction()});
   }
 }
 

@@ -8,6 +8,7 @@
 #include "graze/flow/held/detail/series_phase.hpp"
 #include "graze/flow/sprung/detail/spring_arc.hpp"
 #include "graze/flow/variation/detail/arc_integrals.hpp"
+#include "graze/flow/variation/detail/carried_work.hpp"
 #include "graze/flow/variation/detail/signal.hpp"
 
 namespace graze {
@@ -183,6 +184,7 @@ void add_linear_springs(const ExactPhase<double>& phase, double s, Work& work) {
 void add_coupled(const System& system, const ExactPhase<double>& phase, double s, Work& work) {
   const CoupledArc& arc = *phase.coupled_arc();
   if (phase.sprung()) add_linear_springs(phase, s, work);
+  if (system.carried()) return add_carried_work(system, phase, s, work);
   // Without these no other work is done.
   if (system.delta().isZero(0.0) && !system.forcing() && phase.closed().empty()) return;
   const Moments moments = moments_along(arc, s);
@@ -202,8 +204,11 @@ void add_coupled(const System& system, const ExactPhase<double>& phase, double s
   for (std::size_t k = 0; k < structure.units.size(); ++k) {
     const Harmonic& one = (*system.harmonics())[k];
     const Eigen::Index at = structure.drive(k);
-    work.forcing += (one.cosine.dot(velocity.col(at)) / arc.flow().scale()[at] -
-                     one.sine.dot(velocity.col(m + at)) / structure.reduced.omega[at]) /
+    // Displacements count from the arc's origin.
+    work.forcing += (one.cosine.dot(velocity.col(at)) / arc.flow().scale()[at] +
+                     one.cosine.dot(velocity.col(2 * m + 2)) * arc.origin()[at] / moments.unit -
+                     one.sine.dot(velocity.col(m + at)) * structure.units[k] /
+                         structure.rate_unit(k)) /
                     structure.units[k];
   }
   for (const int i : phase.closed()) {
@@ -216,14 +221,25 @@ void add_coupled(const System& system, const ExactPhase<double>& phase, double s
   }
 }
 
-Work work_on_springs(const System& system, const ContactPhase<double>& phase, double s) {
+// What the constant load does along the way by which stops that move carry the structure.
+double carried_load(const System& system, double theta, double s) {
+  if (!system.carried()) return 0.0;
+  const double later = theta + system.forcing()->frequency * s;
+  Vector way = Vector::Zero(system.modes());
+  for (const Harmonic& one : *system.carried()) way += one.at(later) - one.at(theta);
+  return system.load()->dot(way);
+}
+
+Work work_on_springs(const System& system, const ContactPhase<double>& phase, double s,
+                     double theta) {
   const SprungWorks works = phase.stepped()->works(s);
   Work work;
   if (system.load())
-    work.load = system.load()->dot(phase.sprung()->structure.velocities(works.moved));
+    work.load = system.load()->dot(phase.sprung()->structure.velocities(works.moved)) +
+                carried_load(system, theta, s);
   if (system.turns()) work.load = works.weight;
   work.forcing = works.forcing;
-  work.constraint = works.constraint;
+  (system.carried() ? work.stops : work.constraint) = works.constraint;
   work.dissipation = works.dissipation;
   for (const SpringWork& spring : works.springs) {
     work.contact -= spring.lost + spring.stored;
@@ -234,15 +250,15 @@ Work work_on_springs(const System& system, const ContactPhase<double>& phase, do
 
 }  // namespace
 
-Work work_along(const System& system, const ContactPhase<double>& phase, double s) {
-  if (phase.sprung() && phase.stepped()) return work_on_springs(system, phase, s);
+Work work_along(const System& system, const ContactPhase<double>& phase, double s, double theta) {
+  if (phase.sprung() && phase.stepped()) return work_on_springs(system, phase, s, theta);
   Work work;
   if (system.load()) {
     const Eigen::Index n = system.modes();
     Vector q0(n), q1(n), qdot(n);
     phase.state(0.0, q0, qdot);
     phase.state(s, q1, qdot);
-    work.load = system.load()->dot(q1 - q0);
+    work.load = system.load()->dot(q1 - q0) + carried_load(system, theta, s);
   }
   if (const SeriesPhase* series = phase.series()) {
     const SeriesWork done = series->work(s);

@@ -1,6 +1,6 @@
 // Work done along an arc, for the energy balance:
 //
-//   change of (|q'|^2 + |w q|^2)/2 = forcing + load + constraint + contact - dissipation.
+//   change of (|q'|^2 + |w q|^2)/2 = forcing + load + constraint + contact + stops - dissipation.
 //
 // Velocities and forces of a mode are sums Re(c e^{l s}); the integrals of their products are known
 // in closed form. Where that form would cancel (near critical damping, near resonance, over a
@@ -26,9 +26,12 @@ struct Work {
   // The part of that energy which their damping took, J, >= 0: it may exceed all energy of the
   // structure, if springs were compressed at the start.
   double contact_lost = 0.0;
+  double stops = 0.0;  // of stops that move, J; works are then those on the structure itself
 };
 
-// Work from the start of the phase's arc over s seconds.
-Work work_along(const System& system, const ContactPhase<double>& phase, double s);
+// Work from the start of the phase's arc over s seconds. `theta`: forcing phase there, rad, which
+// counts where stops move.
+Work work_along(const System& system, const ContactPhase<double>& phase, double s,
+                double theta = 0.0);
 
 }  // namespace graze

@@ -42,11 +42,12 @@ std::optional<SprungSystem> constrained_system(const System& system, const Sprin
     const Harmonic& one = (*system.harmonics())[place];
     const double w = structure.reduced.omega[structure.drive(place)], unit = structure.units[place];
     sprung.stiffness.col(k).head(n) = -held * one.cosine / unit;
-    sprung.damping.col(k).head(n) = held * one.sine / (unit * w);
+    sprung.damping.col(k).head(n) = held * one.sine / structure.rate_unit(place);
     sprung.stiffness(k, k) = w * w;
   }
   sprung.frequency = system.forcing() ? system.forcing()->frequency : 0.0;
   sprung.powers.reset();
+  sprung.moving.reset();
   const std::vector<int> springs = phase.springs().all();
   for (std::size_t i = 0; i < springs.size(); ++i) {
     const Vector& row = system.stops[static_cast<std::size_t>(springs[i])].row;

@@ -2,13 +2,15 @@
 #pragma once
 
 #include "graze/flow/held/detail/exact_phase.hpp"
+#include "graze/system/measured_row.hpp"
 
 namespace graze {
 
-// row.q and row.q' on the coordinates that a phase leaves free.
+// Displacement and velocity of a measured row, on the coordinates that a phase leaves free.
 Observable<double> displacement_of(const ConstrainedStructure<double>& structure,
-                                   const Vector& row);
-Observable<double> velocity_of(const ConstrainedStructure<double>& structure, const Vector& row);
+                                   const MeasuredRow& seen);
+Observable<double> velocity_of(const ConstrainedStructure<double>& structure,
+                               const MeasuredRow& seen);
 
 // The smallest value over the window [from, to] that is lower than `below`; minus infinity when the
 // search could not be finished. Likewise the largest that is higher than `above`.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "graze/flow/variation/arc_work.hpp"
+#include "graze/flow/variation/detail/carried_work.hpp"
 #include "graze/motion/detail/motion.hpp"
 
 namespace graze {

@@ -81,6 +81,7 @@ class MotionWalk {
   Motion<Real>& motion_;
   Real closure_speed_;
   double longest_flight_;  // s
+  std::vector<const TimeCourse*> courses_;
   bool alone_;             // a single stop
   Tails tails_;
   std::optional<ChatterTail> tail_;

@@ -122,7 +122,8 @@ std::optional<Response> response_of(const System& system) {
   response.amplitude = amplitudes_of(system, 1, system.forcing()->amplitude.cast<Complex>());
   bool found = response.amplitude.size() == n && response.amplitude.allFinite();
   for (const Harmonic& one : system.forcing()->harmonics) {
-    response.harmonics.push_back({one.order, amplitudes_of(system, one.order, one.force())});
+    const int order = static_cast<int>(one.order);
+    response.harmonics.push_back({order, amplitudes_of(system, order, one.force())});
     const ComplexVector& part = response.harmonics.back().amplitude;
     found = found && part.size() == n && part.allFinite();
   }

@@ -6,19 +6,20 @@
 
 #include "graze/orbit/problem/detail/trajectory_segment.hpp"
 #include "graze/orbit/problem/orbit.hpp"
+#include "graze/system/measured_row.hpp"
 
 namespace graze {
 
 struct CurveSample {
   double theta = 0.0;         // forcing phase counted from the orbit's first period, rad
-  double displacement = 0.0;  // row.q, of a stop's into the stop, m
-  double velocity = 0.0;      // row.q', m/s
+  double displacement = 0.0;  // of the measured row, of a stop's own into the stop, m
+  double velocity = 0.0;      // m/s
 };
 
 // One list for each flight from impact to impact, ends included, with at least `per_period` samples
-// in a forcing period; values along `row`.
+// in a forcing period.
 std::vector<std::vector<CurveSample>> orbit_curve(const System& system, const Orbit& orbit,
-                                                  const Vector& row, int per_period);
+                                                  const MeasuredRow& seen, int per_period);
 
 // Callbacks; an empty function is never called.
 struct OrbitListeners {

@@ -17,8 +17,9 @@ void describe_final(ResultVisitor& v, const SimulationRecord& record) {
   const Matrix& coordinates = record.coordinates;
   v.part({"final", "", "the state at the end"}, [&] {
     const bool turns = system.turns();
-    const HubState hub = turns ? hub_state(*system.rotation(), run.final) : HubState{};
-    const State& state = turns ? hub.beam : run.final;
+    const State end = structure_state(system, run.final, run.phase);
+    const HubState hub = turns ? hub_state(*system.rotation(), end) : HubState{};
+    const State& state = turns ? hub.beam : end;
     v.field({"time", "s"}, run.end_time);
     v.values({"q", "kg^1/2 m", "with a hub of the beam"}, state.q);
     v.values({"qdot", "kg^1/2 m/s"}, state.qdot);
@@ -33,7 +34,7 @@ void describe_final(ResultVisitor& v, const SimulationRecord& record) {
     }
     if (const auto probed = v.where(!record.probes.empty(), "with probes"))
       v.values({"probes", "", "the value of each"}, record.probes,
-               [&](const ProbeRow& probe) { return probe.value(run.final); });
+               [&](const ProbeRow& probe) { return probe.value(end); });
     const auto some = v.where(turns, "with a hub");
     if (!some) return;
     v.field({"angle", "rad"}, hub.angle);
@@ -61,7 +62,8 @@ void describe_energy(ResultVisitor& v, const System& system, const EnergyBalance
   const EnergyEntries entries = energy_entries(system, balance);
   v.part(
       {"energy", "J",
-       "start + forcing + load + constraint + impacts + contact - dissipation - end = defect; "
+       "start + forcing + load + constraint + stops + impacts + contact - dissipation - end = "
+       "defect; "
        "null for effects that the scene does not have"},
       [&] {
         v.field({"start", "J"}, balance.start);
@@ -75,6 +77,8 @@ void describe_energy(ResultVisitor& v, const System& system, const EnergyBalance
         v.field({"relative_defect", "", "to the largest of them"}, relative_defect(balance));
         if (const auto some = v.where(entries.contact.has_value(), "with compliant stops"))
           v.field({"contact", "J", "their work, with the energy that they store"}, entries.contact);
+        if (const auto some = v.where(entries.stops.has_value(), "where stops move"))
+          v.field({"stops", "J", "work of their motion"}, entries.stops);
       });
 }
 

@@ -141,7 +141,7 @@ void describe(ResultVisitor& v, const CheckRecord& record) {
   v.field({"title", "", "of the scene"}, scene.title);
   describe_modes(v, system);
   describe_elements(v, record.model.elements);
-  v.field({"forcing_period", "s", "T"}, system.forcing() ? system.period() : NAN);
+  v.field({"forcing_period", "s", "T"}, system.repeats() ? system.period() : NAN);
   v.field({"gravity", "m/s^2"},
           scene.gravity ? std::optional(scene.gravity->acceleration) : std::nullopt);
   describe_stops(v, record);

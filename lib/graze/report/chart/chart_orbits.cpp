@@ -79,7 +79,7 @@ class OrbitRow {
     motion_.height = portrait_.height = 3.0;
     motion_.heading = heading_of(orbit, units);
     portrait_.levels = {0.0};
-    flights_ = orbit_curve(system, orbit, place.row, drawn_.samples);
+    flights_ = orbit_curve(system, orbit, {place.row}, drawn_.samples);
     add_curves();
     add_impacts();
     add_stuck();

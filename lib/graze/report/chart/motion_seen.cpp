@@ -43,7 +43,7 @@ std::optional<Sample> end_sample(const SimulationRecord& record) {
   if (samples.empty() || !window_reaches_end(record) || run.end_time <= samples.back().time ||
       run.final.q.size() != samples.back().state.q.size())
     return {};
-  return Sample{run.end_time, run.final, run.forces, run.energy};
+  return Sample{run.end_time, run.final, run.phase, run.forces, run.energy};
 }
 
 void gather_impacts(const SimulationRecord& record, const TimeSpan& window, SeenPlace& place) {
@@ -156,6 +156,8 @@ std::vector<EnergyTerm> energy_terms(const SamplesSeen& samples, const System& s
                             [](const EnergyBalance& balance) { return balance.work.load; }},
                            {"constraint", kOrange, has.constraint.has_value(),
                             [](const EnergyBalance& balance) { return balance.work.constraint; }},
+                           {"moving stops", kIndigo, has.stops.has_value(),
+                            [](const EnergyBalance& balance) { return balance.work.stops; }},
                            {"damping", kGreen, has.dissipation.has_value(),
                             [](const EnergyBalance& balance) { return -balance.work.dissipation; }},
                            {"impacts", kVermillion, has.impacts.has_value(),
@@ -178,14 +180,14 @@ std::vector<EnergyTerm> energy_terms(const SamplesSeen& samples, const System& s
   return terms;
 }
 
-std::vector<SeenProbe> probes_seen(const SamplesSeen& samples,
+std::vector<SeenProbe> probes_seen(const SamplesSeen& samples, const System& system,
                                    const std::vector<ProbeRow>& probes) {
   if (samples.empty()) return {};
   std::vector<SeenProbe> seen;
   for (const ProbeRow& probe : probes) {
     SeenProbe curve{static_cast<int>(seen.size()) + 1, probe.quantity, {}};
     for (const Sample* sample : samples)
-      curve.curve.push_back({sample->time, probe.value(sample->state)});
+      curve.curve.push_back({sample->time, probe.value(structure_state(system, sample->state, sample->phase))});
     seen.push_back(std::move(curve));
   }
   return seen;
@@ -264,7 +266,7 @@ MotionSeen motion_seen(const SimulationRecord& record) {
     if (!force.empty()) seen.forces.push_back({i, std::move(force)});
   }
   seen.energy = energy_terms(samples, record.system);
-  seen.probes = probes_seen(samples, record.probes);
+  seen.probes = probes_seen(samples, record.system, record.probes);
   return seen;
 }
 

@@ -104,6 +104,7 @@ std::size_t sample_numbers(const System& system, const Sample& sample,
 double* write_sample_row(const System& system, const Sample& sample,
                          const std::vector<ProbeRow>& probes, double* row) {
   const auto add = [&](const std::optional<double>& value) { *row++ = value.value_or(NAN); };
+  const State own = structure_state(system, sample.state, sample.phase);
   const auto add_state = [&](const State& state) {
     row = std::copy(state.q.begin(), state.q.end(), row);
     row = std::copy(state.qdot.begin(), state.qdot.end(), row);
@@ -115,7 +116,7 @@ double* write_sample_row(const System& system, const Sample& sample,
     *row++ = hub.rate;
     add_state(hub.beam);
   } else {
-    add_state(sample.state);
+    add_state(own);
   }
   for (const Stop& stop : system.stops) *row++ = stop.gap - stop.row.dot(sample.state.q);
   row = std::copy(sample.forces.begin(), sample.forces.end(), row);
@@ -129,7 +130,7 @@ double* write_sample_row(const System& system, const Sample& sample,
     add(entries.dissipation);
     add(entries.contact);
   }
-  for (const ProbeRow& probe : probes) *row++ = probe.value(sample.state);
+  for (const ProbeRow& probe : probes) *row++ = probe.value(own);
   return row;
 }
 

@@ -138,10 +138,12 @@ std::string list_setting(const char* name, const Vector& numbers) {
   return text + "]";
 }
 
-std::vector<std::string> start_settings(const PageMotion& motion) {
+std::vector<std::string> start_settings(const System& system, const PageMotion& motion) {
   std::vector<std::string> settings = motion.settings;
-  settings.push_back(list_setting("initial.q", motion.start.q));
-  settings.push_back(list_setting("initial.qdot", motion.start.qdot));
+  const double phase = system.forcing() ? system.forcing()->phase : 0.0;
+  const State start = structure_state(system, motion.start, phase);
+  settings.push_back(list_setting("initial.q", start.q));
+  settings.push_back(list_setting("initial.qdot", start.qdot));
   return settings;
 }
 
@@ -229,7 +231,7 @@ Json motion_json(const PageSource& source, const System& system, const PageMotio
           {"stuck", stuck},
           {"places", places},
           {"remark", motion.settled_in == "sweep" ? shown + kFromThere : shown},
-          {"command", page_command(source.info, "simulate", start_settings(motion)) +
+          {"command", page_command(source.info, "simulate", start_settings(system, motion)) +
                           fmt::format(" --periods {}", periods) + closure_option(source)}};
 }
 
@@ -277,7 +279,7 @@ Json page_orbit(const PageSource& source, const System& system, const Orbit& orb
   for (const SeenPlace& place : places_seen(system, first)) {
     PlaceSeries series;
     for (const std::vector<CurveSample>& flight : orbit_curve(
-             system, orbit, system.stops[static_cast<std::size_t>(place.stops.front().index)].row,
+             system, orbit, {system.stops[static_cast<std::size_t>(place.stops.front().index)].row},
              samples_per_period(source, system, orbit.period))) {
       for (const CurveSample& sample : flight)
         series.add(sample.theta / kTurn, sample.displacement, sample.velocity);
@@ -310,7 +312,7 @@ Json page_motion(const PageSource& source, const System& system, const PageMotio
   if (!orbit) return motion_json(source, system, motion);
   Json json = page_orbit(source, system, *orbit, motion.value);
   // A search from the scene's own start may settle on another attractor.
-  json["command"] = orbit_command(source, *orbit, start_settings(motion));
+  json["command"] = orbit_command(source, *orbit, start_settings(system, motion));
   return json;
 }
 

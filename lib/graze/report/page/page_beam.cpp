@@ -19,8 +19,9 @@ Json beam_json(const SimulationRecord& record) {
   bent.include(0.0);
   for (const Sample& sample : record.samples) {
     t.push_back(sample.time);
-    for (const double coordinate : sample.state.q) q.push_back(static_cast<float>(coordinate));
-    const Vector u = beam.rows * sample.state.q;
+    const Vector own = structure_state(record.system, sample.state, sample.phase).q;
+    for (const double coordinate : own) q.push_back(static_cast<float>(coordinate));
+    const Vector u = beam.rows * own;
     bent.include(u.minCoeff());
     bent.include(u.maxCoeff());
   }

@@ -171,17 +171,42 @@ std::string load_text(const Scene& scene, const std::string& path, const Harmoni
   const bool load = forcing.kind == ForcingKind::kDistributed;
   const bool matrices = scene.discrete() != nullptr;
   const bool point = forcing.kind == ForcingKind::kPoint;
-  return fmt::format("{}, amplitude {}",
+  if (forcing.kind == ForcingKind::kNone) return "no force";
+  const bool timed = forcing.signal.has_value();
+  return fmt::format("{}, {} {}",
                      base       ? std::string(matrices ? "moving base" : "moving clamp")
                      : load     ? "distributed load"
                      : point    ? "force " + point_text(scene, forcing.at)
                      : matrices ? "load"
                                 : "modal",
+                     timed ? "factor" : "amplitude",
                      told(scene, path + ".amplitude", forcing.amplitude,
-                          base    ? "m"
+                          timed   ? ""
+                          : base    ? "m"
                           : load  ? "N/m"
                           : point ? "N"
                                   : ""));
+}
+
+// When a harmonic load repeats.
+std::string harmonic_text(const Scene& scene, const HarmonicLoad& load, const System& system,
+                          const TextUnits& in) {
+  const double order = load.order.value_or(1.0);
+  Frequency frequency = load.own.value_or(scene.forcing->frequency);
+  frequency.written *= order;
+  return fmt::format("{}{}{}", in("Hz").empty() ? "frequency " : "", frequency_text(frequency, in),
+                     scene.further.empty()
+                         ? fmt::format(", period {}", in.quantity(system.period(), 6, "s"))
+                     : order != 1.0 ? fmt::format(", order {:g}", order)
+                                    : "");
+}
+
+std::string signal_text(const SignalSource& signal, const TextUnits& in) {
+  const TimeCourse& course = *signal.course;
+  return fmt::format("a signal of {} instants from {} to {}{}", course.times.size(),
+                     in.quantity(course.times.front(), 6, "s"),
+                     in.quantity(course.times.back(), 6, "s"),
+                     course.repeats ? ", again and again" : "");
 }
 
 // A line for each load; the period is that of all of them.
@@ -191,21 +216,15 @@ std::string forcing_text(const Scene& scene, const System& system, const TextUni
   std::size_t number = 0;
   for (const HarmonicLoad* load : scene.harmonic_loads()) {
     const std::string path = numbered_path("forcing", ++number);
-    const double order = load->order.value_or(1.0);
-    Frequency frequency = scene.forcing->frequency;
-    frequency.written *= order;
-    text +=
-        effect(scene.further.empty() ? "forcing" : fmt::format("forcing {}", number),
-               fmt::format("{}, {}{}{}", load_text(scene, path, *load),
-                           in("Hz").empty() ? "frequency " : "", frequency_text(frequency, in),
-                           scene.further.empty()
-                               ? fmt::format(", period {}", in.quantity(system.period(), 6, "s"))
-                           : order != 1.0 ? fmt::format(", order {:g}", order)
-                                          : ""));
+    text += effect(scene.further.empty() ? "forcing" : fmt::format("forcing {}", number),
+                   load_text(scene, path, *load) + ", " +
+                       (load->signal ? signal_text(*load->signal, in)
+                                     : harmonic_text(scene, *load, system, in)));
   }
   if (!scene.further.empty())
-    text += effect("period",
-                   fmt::format("{}, of all loads together", in.quantity(system.period(), 6, "s")));
+    text += effect("period", scene.repeats() ? fmt::format("{}, of all loads together",
+                                                           in.quantity(system.period(), 6, "s"))
+                                             : "none: the loads do not repeat together");
   return text;
 }
 
@@ -216,16 +235,31 @@ std::string gravity_text(const Scene& scene) {
                      scene.hub ? "-u at angle 0" : "+u");
 }
 
+// How it moves; empty where it stands still.
+std::string motion_text(const Scene& scene, const SceneStop& stop, const std::string& path) {
+  std::string text = stop.frame == StopFrame::kSpace ? "fixed in space, " : "";
+  std::size_t number = 0;
+  for (const StopMotion& term : stop.motion) {
+    const double order = term.order.value_or(1.0);
+    text += fmt::format(
+        "{} {}{}", number == 0 ? "moves by" : "and",
+        told(scene, numbered_path(path + ".motion", number + 1) + ".amplitude", term.amplitude, "m"),
+        order == 1.0 ? "" : fmt::format(" of order {:g}", order));
+    text += ++number == stop.motion.size() ? ", " : " ";
+  }
+  return text;
+}
+
 // `path`: of its table.
 std::string stop_text(const Scene& scene, const std::string& path, const SceneStop& stop,
                       const Stop& assembled) {
   const TextUnits in(scene.units);
   const std::string gap = told(scene, path + ".gap", stop.gap, "m");
   const std::string place = fmt::format(
-      "{}{}, gap {}, ",
+      "{}{}, gap {}, {}",
       scene.span() ? fmt::format("at x = {}, ", told(scene, path + ".position", stop.position, "m"))
                    : node_text(stop.node, stop.against, ", "),
-      stop.side == Side::kAbove ? "above" : "below", gap);
+      stop.side == Side::kAbove ? "above" : "below", gap, motion_text(scene, stop, path));
   if (stop.spring) {
     const ContactForce& law = assembled.force();
     // Without units the exponent is given separately.

@@ -57,6 +57,7 @@ std::string energy_text(const System& system, const EnergyBalance& balance,
   add(turns ? "+ work of the torque" : "+ work of the forcing", entries.forcing);
   add(turns ? "+ work of the weight" : "+ work of the load", entries.load);
   add("+ work of closed stops", entries.constraint);
+  add("+ work of moving stops", entries.stops);
   add("+ change at impacts", entries.impacts);
   add("+ work of compliant stops", entries.contact);
   add("- dissipation", entries.dissipation);

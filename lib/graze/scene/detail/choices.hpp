@@ -47,15 +47,23 @@ inline constexpr std::array kHubEquations{Choice{"consistent", HubEquations::kCo
                                           Choice{"paper", HubEquations::kPaper}};
 inline constexpr std::array kBeamForcings{Choice{"base", ForcingKind::kBase},
                                           Choice{"distributed", ForcingKind::kDistributed},
-                                          Choice{"point", ForcingKind::kPoint}};
+                                          Choice{"point", ForcingKind::kPoint},
+                                          Choice{"none", ForcingKind::kNone}};
 inline constexpr std::array kModalForcings{Choice{"modal", ForcingKind::kModal},
                                            Choice{"base", ForcingKind::kBase},
-                                           Choice{"point", ForcingKind::kPoint}};
+                                           Choice{"point", ForcingKind::kPoint},
+                                           Choice{"none", ForcingKind::kNone}};
 inline constexpr std::array kMatrixForcings{Choice{"base", ForcingKind::kBase},
                                             Choice{"load", ForcingKind::kModal},
-                                            Choice{"point", ForcingKind::kPoint}};
+                                            Choice{"point", ForcingKind::kPoint},
+                                            Choice{"none", ForcingKind::kNone}};
 inline constexpr std::array kLumpedForcings{Choice{"base", ForcingKind::kBase},
-                                            Choice{"point", ForcingKind::kPoint}};
+                                            Choice{"point", ForcingKind::kPoint},
+                                            Choice{"none", ForcingKind::kNone}};
+inline constexpr std::array kSpectrumSides{Choice{"one", SpectrumSides::kOne},
+                                           Choice{"two", SpectrumSides::kTwo}};
+inline constexpr std::array kFrames{Choice{"clamp", StopFrame::kClamp},
+                                    Choice{"space", StopFrame::kSpace}};
 inline constexpr std::array kStarts{Choice{"given", false}, Choice{"equilibrium", true}};
 inline constexpr std::array kSides{Choice{"above", Side::kAbove}, Choice{"below", Side::kBelow}};
 inline constexpr std::array kImpulses{Choice{"momentum", Impulse::kMomentum},

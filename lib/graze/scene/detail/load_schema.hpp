@@ -25,17 +25,65 @@ void describe(auto& v, Of<PointLoad> auto& load, const Scene& scene) {
   v.number({"force", "N", kAny, "constant, along +u"}, load.force);
 }
 
-// `frequency`: describes that of the first load, behind its amplitude.
+void describe(auto& v, Of<SignalSource> auto& signal, const Scene&) {
+  const bool drawn = !signal.spectrum.empty();
+  const char* of_file = "the signal is drawn from a spectrum, it must be left out";
+  const char* of_spectrum = "it goes with a spectrum, without one it must be left out";
+  const auto with_spectrum = [&](const Key& key) {
+    return key.needed("with `spectrum`").where(drawn, of_spectrum);
+  };
+  v.path(Key{"spectrum", "", own_rule("a table"),
+             "in place of `file`: rows of frequency (Hz) and spectral density (unit^2/Hz) under a "
+             "row of names, joined by straight lines; the signal is a sum of harmonics of random "
+             "phases that has this density"}
+             .or_else("none"),
+         signal.spectrum);
+  v.path(Key{"file", "", own_rule("a table"),
+             "rows of instants (s) and values under a row of names, joined by straight lines"}
+             .needed("required without `spectrum`")
+             .where(!drawn, of_file),
+         signal.file);
+  v.text(Key{"column", "", own_rule("a name"), "of the values or densities"}.or_else("the second"),
+         signal.column);
+  v.text(Key{"time", "", own_rule("a name"), "of the instants"}
+             .or_else("the first")
+             .where(!drawn, of_file),
+         signal.time);
+  v.flag(Key{"repeat", "", kAny, "begin again behind the last instant; else the load is gone"}
+             .or_else(),
+         signal.repeats);
+  v.choice(with_spectrum(Key{"sides", "", kAny,
+                             "of the density: over frequencies from 0 on, or over negative ones too, "
+                             "which doubles it"}
+                             .or_else())
+               .or_else(),
+           signal.sides, kSpectrumSides);
+  v.count(with_spectrum(Key{"seed", "", kSeed, "another one draws other phases"}).or_else(),
+          signal.seed);
+  v.number(with_spectrum(Key{"duration", "s", kPositive,
+                             "of the course that is drawn, whose frequencies are multiples of 1 "
+                             "over it"})
+               .fixed(),
+           signal.duration);
+  v.number(with_spectrum(Key{"step", "s", kPositive,
+                             "between its instants: half of the period of the highest frequency at "
+                             "most"})
+               .fixed(),
+           signal.step);
+}
+
+// `frequency`: describes that of the load, behind its amplitude.
 void describe_harmonic(auto& v, auto& forcing, const Scene& scene, const auto& frequency) {
   const bool modal = scene.modal() != nullptr;
   const Key kind =
       Key{"kind", "",
           own_rule("`\"point\"`; `\"base\"`; `\"distributed\"` with `[beam]`, `[string]` and "
                    "`[bar]` only; `\"modal\"` with `[modal]` only; `\"load\"` with "
-                   "`[matrices]` only"),
+                   "`[matrices]` only; `\"none\"`"),
           "point: a force at one point; base: displacement of the clamp and of all supports, "
           "or of the ground; distributed: force per length; modal: modal forces "
-          "`participation` times amplitude; load: forces `load` times amplitude"}
+          "`participation` times amplitude; load: forces `load` times amplitude; none: no force, "
+          "only the frequency of stops that move"}
           .or_else(
               "`\"point\"` where a point is given, else `\"base\"`, with `[modal]` "
               "`\"modal\"`")
@@ -51,37 +99,53 @@ void describe_harmonic(auto& v, auto& forcing, const Scene& scene, const auto& f
   describe_load_point(v, forcing.at, scene, forcing.kind == ForcingKind::kPoint,
                       "forcing of this kind acts on all of the structure: forcing.kind must be "
                       "\"point\", or it must be left out");
-  v.number(Key{"amplitude", "m, N, N/m or 1, by kind", kAny, "of the cosine"}.as(
-               modal ? "a number" : "a number, in m (base), N (point) or N/m (distributed)"),
-           forcing.amplitude);
+  const bool timed = forcing.signal.has_value();
+  const Key amplitude =
+      Key{"amplitude", "m, N, N/m or 1, by kind", kAny,
+          "of the cosine; of a signal its factor, 1 where it is left out"}
+          .as(modal ? "a number" : "a number, in m (base), N (point) or N/m (distributed)")
+          .where(forcing.kind != ForcingKind::kNone,
+                 "forcing of the kind \"none\" has none, it must be left out");
+  v.number(timed ? amplitude.or_else() : amplitude, forcing.amplitude);
   frequency();
+  const char* of_signal = "a signal has none, it must be left out";
   v.number(Key{"order", "", kPositive,
                "of the force's frequency to Omega, a whole number or a ratio of small ones (0.5); "
                "the period is that of all loads together"}
                .or_else("1")
-               .fixed(),
+               .fixed()
+               .where(!timed, of_signal),
            forcing.order);
-  v.number(Key{"phase", "rad", kAny, "psi, forcing phase at t = 0"}.or_else(), forcing.phase);
+  v.number(Key{"phase", "rad", kAny, "psi, forcing phase at t = 0"}.or_else().where(!timed, of_signal),
+           forcing.phase);
+  v.table({"signal", Form::kInline}, forcing.signal);
+}
+
+// It may be given in rad/s or in Hz. `frequency`: null where there is none.
+void describe_frequency(auto& v, auto* frequency) {
+  const bool in_hertz = frequency && frequency->in_hertz;
+  MayHold angular(frequency && !in_hertz ? &frequency->written : nullptr);
+  MayHold hertz(in_hertz ? &frequency->written : nullptr);
+  v.number(Key{"frequency", "rad/s", kPositive,
+               "Omega, of the first load; of another one in place of an order, where they have no "
+               "common period"}
+               .needed("required without `frequency_hz`")
+               .where(bool(angular)),
+           *angular);
+  v.number(Key{"frequency_hz", "Hz", kPositive, "Omega/(2 pi); not with `units = \"none\"`"}
+               .needed("in place of `frequency`")
+               .where(bool(hertz)),
+           *hertz);
 }
 
 void describe(auto& v, Of<HarmonicLoad> auto& forcing, const Scene& scene) {
-  describe_harmonic(v, forcing, scene, [] {});
+  describe_harmonic(v, forcing, scene,
+                    [&] { describe_frequency(v, forcing.own ? &*forcing.own : nullptr); });
 }
 
 void describe(auto& v, Of<Forcing> auto& forcing, const Scene& scene) {
   describe_harmonic(v, forcing, scene, [&] {
-    // The frequency may be given in rad/s or in Hz.
-    const bool in_hertz = forcing.frequency.in_hertz;
-    MayHold angular(in_hertz ? nullptr : &forcing.frequency.written);
-    MayHold hertz(in_hertz ? &forcing.frequency.written : nullptr);
-    v.number(Key{"frequency", "rad/s", kPositive, "Omega, once, of the first load"}
-                 .needed("required without `frequency_hz`")
-                 .where(bool(angular)),
-             *angular);
-    v.number(Key{"frequency_hz", "Hz", kPositive, "Omega/(2 pi); not with `units = \"none\"`"}
-                 .needed("in place of `frequency`")
-                 .where(bool(hertz)),
-             *hertz);
+    describe_frequency(v, forcing.signal ? nullptr : &forcing.frequency);
   });
 }
 

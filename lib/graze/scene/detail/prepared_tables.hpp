@@ -43,17 +43,38 @@ inline void infer_kind(const TableReader& table, HarmonicLoad& load, const Scene
                                                                         : ForcingKind::kBase;
 }
 
+// Which keys a signal may have depends on whether it is drawn.
+inline void prepare(const TableReader& table, const Node&, SignalSource& signal, const Scene&) {
+  if (table.has("spectrum")) signal.spectrum = "to be read";
+}
+
+// A signal has neither frequency nor phase, and is taken as it is.
+inline void prepare_signal(const TableReader& table, HarmonicLoad& load) {
+  if (!table.has("signal")) return;
+  for (const char* key : {"frequency", "frequency_hz"})
+    if (table.has(key)) table.fail(key, "a signal has none, it must be left out");
+  load.amplitude = 1.0;
+}
+
 inline void prepare(const TableReader& table, const Node&, HarmonicLoad& load, const Scene& scene) {
   infer_kind(table, load, scene);
-  for (const char* key : {"frequency", "frequency_hz"})
-    if (table.has(key))
-      table.fail(key,
-                 "the frequency is that of the first [[forcing]], this one is a multiple of it and "
-                 "must have an order");
+  prepare_signal(table, load);
+  const bool in_hertz = table.has("frequency_hz");
+  if (in_hertz && table.has("frequency"))
+    table.fail("frequency_hz", "the frequency is given already, it must be left out");
+  if (!in_hertz && !table.has("frequency")) return;
+  if (table.has("order"))
+    table.fail("order", "the frequency is given already, it must be left out");
+  load.own.emplace().in_hertz = in_hertz;
 }
 
 inline void prepare(const TableReader& table, const Node&, Forcing& forcing, const Scene& scene) {
   infer_kind(table, forcing, scene);
+  prepare_signal(table, forcing);
+  if (table.has("signal")) {
+    forcing.frequency = 1.0;
+    return;
+  }
   forcing.frequency.in_hertz = table.has("frequency_hz");
   if (table.has("frequency_hz") && table.has("frequency"))
     table.fail("frequency_hz",

@@ -181,6 +181,12 @@ void describe(auto& v, Of<Spring> auto& spring, const Scene&) {
            spring.release, kReleases);
 }
 
+void describe(auto& v, Of<StopMotion> auto& motion, const Scene&) {
+  v.number({"amplitude", "m", kAny, "of the cosine, along u"}, motion.amplitude);
+  v.number(Key{"order", "", kPositive, "as of a load"}.or_else("1").fixed(), motion.order);
+  v.number(Key{"phase", "rad", kAny, "at t = 0"}.or_else(), motion.phase);
+}
+
 void describe(auto& v, Of<SceneStop> auto& stop, const Scene& scene) {
   const bool rigid = !stop.spring;
   const char* none = "a stop with a spring has none, it must be left out";
@@ -206,7 +212,13 @@ void describe(auto& v, Of<SceneStop> auto& stop, const Scene& scene) {
                .or_else()
                .where(rigid, none),
            stop.impulse, kImpulses);
+  v.choice(Key{"frame", "", kAny,
+               "clamp: the stop is shaken with the clamp, the supports or the ground; space: it "
+               "stays in space while forcing of the kind `\"base\"` shakes these"}
+               .or_else(),
+           stop.frame, kFrames);
   v.table({"spring"}, stop.spring);
+  v.tables({"motion"}, stop.motion);
 }
 
 void describe(auto& v, Of<Probe> auto& probe, const Scene& scene) {

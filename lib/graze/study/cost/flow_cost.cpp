@@ -40,7 +40,7 @@ class CostTable {
     costs_.forced = system.forcing() != nullptr;
     costs_.compliant = system.has_compliant_stop();
     costs_.turns = system.turns();
-    costs_.period = system.forcing() ? system.period() : 1.0;
+    costs_.period = system.repeats() ? system.period() : 1.0;
     costs_.tolerance = options.tolerance;
     // A part of a period for impact times; of the amplitude where there are none.
     costs_.allowed = costs_.impacts > 0 ? options.tolerance * costs_.period : options.tolerance;

@@ -98,7 +98,7 @@ StepSetting stable_steps(const System& system, const State& start, StepMethod me
     if (std::isinf(setting.longest) && speed_scale(system, start) > 0.0 &&
         reach_at(system, stop) > 0.0)
       setting.longest = reach_at(system, stop) / speed_scale(system, start);
-  if (std::isinf(setting.longest)) setting.longest = system.forcing() ? system.period() : 1.0;
+  if (std::isinf(setting.longest)) setting.longest = system.repeats() ? system.period() : 1.0;
   return setting;
 }
 

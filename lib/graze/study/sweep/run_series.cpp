@@ -77,7 +77,8 @@ std::optional<ValueRun> run_at(const Scene& scene, double value, const RunSeries
   };
   if (!probes.empty())
     listeners.sample = [&](const Sample& sample) {
-      for (std::size_t i = 0; i < probes.size(); ++i) peaks[i].add(probes[i].value(sample.state));
+      const State own = structure_state(system, sample.state, sample.phase);
+      for (std::size_t i = 0; i < probes.size(); ++i) peaks[i].add(probes[i].value(own));
     };
   // As many samples over the run where nothing oscillates.
   listeners.sample_rate =
@@ -88,7 +89,7 @@ std::optional<ValueRun> run_at(const Scene& scene, double value, const RunSeries
   run.message = end.message;
   for (std::size_t i = 0; i < probes.size(); ++i) {
     run.peaks.push_back(peaks[i].largest());
-    run.ends.push_back(probes[i].value(end.final));
+    run.ends.push_back(probes[i].value(structure_state(system, end.final, end.phase)));
   }
   return run;
 }

@@ -30,7 +30,7 @@ namespace graze {
 template <class Real>
 struct LinearSystem {
   RealVector<Real> omega, delta;  // rad/s, 1/s
-  bool forced = false;
+  bool forced = false, repeats = true;
   Real frequency = 0, phase = 0;  // rad/s, rad; with forcing
   RealVector<Real> amplitude;     // f_j, with forcing
   RealVector<Real> load;          // c_j; empty: none
@@ -46,6 +46,10 @@ struct LinearSystem {
     if (!forced) return 0;
     Real sum = amplitude[j] * cosine;
     for (const Harmonic& one : harmonics) {
+      if (one.timed) {
+        sum += one.cosine[j] * one.wave(static_cast<double>(theta));
+        continue;
+      }
       const Real angle = one.order * theta;
       sum += one.cosine[j] * cos(angle) + one.sine[j] * sin(angle);
     }
@@ -55,7 +59,8 @@ struct LinearSystem {
     using std::abs;
     if (!forced) return 0;
     Real sum = abs(amplitude[j]);
-    for (const Harmonic& one : harmonics) sum += std::abs(one.cosine[j]) + std::abs(one.sine[j]);
+    for (const Harmonic& one : harmonics)
+      sum += one.largest_wave() * (std::abs(one.cosine[j]) + std::abs(one.sine[j]));
     return sum;
   }
   // The same of all modes, with its derivative by theta.
@@ -63,42 +68,54 @@ struct LinearSystem {
     using std::cos, std::sin;
     RealVector<Real> sum = amplitude * cos(theta);
     for (const Harmonic& one : harmonics)
-      sum += one.cosine.template cast<Real>() * cos(Real(one.order * theta)) +
-             one.sine.template cast<Real>() * sin(Real(one.order * theta));
+      sum += one.timed ? RealVector<Real>(one.at(static_cast<double>(theta)).template cast<Real>())
+                       : RealVector<Real>(
+                             one.cosine.template cast<Real>() * cos(Real(one.order * theta)) +
+                             one.sine.template cast<Real>() * sin(Real(one.order * theta)));
     return sum;
   }
   RealVector<Real> force_rates(const Real& theta) const {
     using std::cos, std::sin;
     RealVector<Real> sum = -amplitude * sin(theta);
     for (const Harmonic& one : harmonics)
-      sum += Real(one.order) * (one.sine.template cast<Real>() * cos(Real(one.order * theta)) -
-                                one.cosine.template cast<Real>() * sin(Real(one.order * theta)));
+      sum += one.timed
+                 ? RealVector<Real>(one.rate_at(static_cast<double>(theta)).template cast<Real>())
+                 : RealVector<Real>(
+                       Real(one.order) *
+                       (one.sine.template cast<Real>() * cos(Real(one.order * theta)) -
+                        one.cosine.template cast<Real>() * sin(Real(one.order * theta))));
     return sum;
   }
   RealVector<Real> force_sizes() const {
     RealVector<Real> sum = amplitude.cwiseAbs();
     for (const Harmonic& one : harmonics)
-      sum += (one.cosine.cwiseAbs() + one.sine.cwiseAbs()).template cast<Real>();
+      sum += one.largest_wave() *
+             (one.cosine.cwiseAbs() + one.sine.cwiseAbs()).template cast<Real>();
     return sum;
   }
-  // Of the quickest harmonic, rad/s.
+  // Of the quickest harmonic, rad/s; a course changes by that part of its size in a second.
   Real highest_frequency() const {
-    int order = 1;
-    for (const Harmonic& one : harmonics) order = std::max(order, one.order);
-    return order * frequency;
+    Real highest = frequency;
+    for (const Harmonic& one : harmonics)
+      highest = std::max<Real>(
+          highest, one.timed ? Real(one.timed->course->steepest() / one.largest_wave())
+                             : Real(one.order * frequency));
+    return highest;
   }
 };
 
 template <class Real>
 LinearSystem<Real> linear_system(const System& system) {
   LinearSystem<Real> linear{
-      system.omega.template cast<Real>(), {}, system.forcing() != nullptr, 0, 0, {}, {}, 0, {}, {}};
+      system.omega.template cast<Real>(), {}, system.forcing() != nullptr, true, 0, 0, {}, {}, 0, {},
+      {}};
   // A hub couples the damping of its modes, and their flow is not this one.
   if (system.turns())
     linear.delta.setZero(system.modes());
   else
     linear.delta = system.delta().template cast<Real>();
   if (system.forcing()) {
+    linear.repeats = system.repeats();
     linear.frequency = system.forcing()->frequency;
     linear.phase = near_zero(Real(system.forcing()->phase));
     linear.amplitude = system.forcing()->amplitude.template cast<Real>();
@@ -124,7 +141,7 @@ class ExactFlow {
   const ModeFlow<Real>& mode(int j) const { return modes_[static_cast<std::size_t>(j)]; }
   bool forced() const { return forced_; }
   Real frequency() const { return frequency_; }
-  // Forcing period, s; infinity without forcing.
+  // Forcing period, s; infinity without forcing, or where it does not repeat.
   Real period() const { return period_; }
   // The flow in which an arc from this state is written: usually this one. Where all gaps are 0 and
   // the state is small against the harmonic responses, it is one with all responses taken from

@@ -111,7 +111,7 @@ ExactFlow<Real>::ExactFlow(const LinearSystem<Real>& system) : forced_(system.fo
   if (forced_) {
     frequency_ = system.frequency;
     phase_ = system.phase;
-    period_ = 2 * acos(Real(-1)) / frequency_;
+    if (system.repeats) period_ = 2 * acos(Real(-1)) / frequency_;
   }
   for (Eigen::Index j = 0; j < system.omega.size(); ++j) {
     ModeFlow<Real> mode;

@@ -15,7 +15,7 @@
 // Under several harmonics the system is followed with one more coordinate for each harmonic beside
 // the first, z = unit cos(order theta), which nothing moves: z'' = -(order W)^2 z, and z and z'
 // press on the structure. So these forces are part of the free motion, whatever holds the structure
-// or damps it.
+// or damps it. So is a course over time, z'' = 0 along each of its lines.
 #pragma once
 
 #include <vector>
@@ -35,25 +35,37 @@ struct ConstrainedStructure {
   Eigen::Index size() const { return reduced.omega.size(); }  // of y, m
   // y and y' of a state at forcing phase theta, and back.
   RealVector<Real> coordinates(const RealVector<Real>& q, const Real& theta) const {
-    using std::cos;
     if (is_free()) return q;
     RealVector<Real> y = basis.transpose() * (q - rest);
     for (std::size_t k = 0; k < whole.harmonics.size(); ++k)
-      y[drive(k)] = units[k] * cos(Real(whole.harmonics[k].order * theta));
+      y[drive(k)] = units[k] * wave(k, theta);
     return y;
   }
   RealVector<Real> rates(const RealVector<Real>& qdot, const Real& theta) const {
-    using std::sin;
     if (is_free()) return qdot;
     RealVector<Real> ydot = basis.transpose() * qdot;
     for (std::size_t k = 0; k < whole.harmonics.size(); ++k)
-      ydot[drive(k)] = -units[k] * reduced.omega[drive(k)] *
-                       sin(Real(whole.harmonics[k].order * theta));
+      ydot[drive(k)] = rate_unit(k) * swing(k, theta);
     return ydot;
   }
   // What the structure sees of a row or of a rate of its state: nothing of the harmonics.
   RealVector<Real> seen(const RealVector<Real>& row) const {
     return is_free() ? row : RealVector<Real>(basis.transpose() * row);
+  }
+  // The unit of its rate z' = -rate_unit sin(order theta), or of that of a course, kg^1/2 m/s.
+  Real rate_unit(std::size_t k) const {
+    return whole.harmonics[k].timed ? units[k] : Real(units[k] * reduced.omega[drive(k)]);
+  }
+  Real wave(std::size_t k, const Real& theta) const {
+    using std::cos;
+    const Harmonic& one = whole.harmonics[k];
+    return one.timed ? Real(one.wave(static_cast<double>(theta))) : Real(cos(Real(one.order * theta)));
+  }
+  Real swing(std::size_t k, const Real& theta) const {
+    using std::sin;
+    const Harmonic& one = whole.harmonics[k];
+    return one.timed ? Real(one.swing(static_cast<double>(theta)))
+                     : Real(-sin(Real(one.order * theta)));
   }
   // The place of harmonic k in y.
   Eigen::Index drive(std::size_t k) const {

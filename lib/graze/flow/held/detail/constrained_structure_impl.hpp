@@ -129,6 +129,7 @@ void ConstrainedStructure<Real>::reduce(const System& system) {
     stretched = factors.left.rowwise().reverse() * reduced.omega.asDiagonal();
   }
   reduced.forced = whole.forced;
+  reduced.repeats = whole.repeats;
   reduced.frequency = whole.frequency;
   reduced.phase = whole.phase;
   reduced.reach = whole.reach;
@@ -206,7 +207,7 @@ std::vector<Observable<Real>> ConstrainedStructure<Real>::observables(const Syst
       seen.displacement[drive(k)] +=
           along<Real>(shares.col(column), one.cosine.template cast<Real>()) / unit;
       seen.velocity[drive(k)] -= along<Real>(shares.col(column), one.sine.template cast<Real>()) /
-                                 (unit * reduced.omega[drive(k)]);
+                                 (row.squaredNorm() * rate_unit(k));
     }
     list.push_back(std::move(seen));
   }

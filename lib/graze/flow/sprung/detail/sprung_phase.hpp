@@ -49,6 +49,7 @@ class SprungPhase : public IntegratedPhase {
  private:
   void add_force_weights(const System& system);
   void add_powers(const System& system);
+  void add_moving(const System& system);
   Vector force(double s, const Vector& q, const Vector& qdot) const;
   void watch_springs(const MotionState<double>& now, const Flight<double>& flight,
                      std::vector<Watched>& list) final;

@@ -126,6 +126,7 @@ class Sprung {
   }
   Compression compression_rate(std::size_t spring, const State& slope) const;
   void set_units(double theta, const Vector& velocity, std::span<const double> depths);
+  void add_moving_powers(const State& z, double cosine, double s, State& slope);
   void add_powers(const State& z, const Vector& resistance, double cosine, double s, State& slope);
   // For a rotating hub: the motion in all coordinates, forces other than springs and stiffness, the
   // inertia that the shape adds, and a force that holds the structure.

@@ -5,8 +5,30 @@
 
 namespace graze::step_walk {
 
+inline void Sprung::add_moving_powers(const State& z, double cosine, double s, State& slope) {
+  const SprungSystem::Moving& moving = *system_.moving;
+  const Eigen::Index n = modes();
+  const Eigen::Map<const Vector> moved(z.data(), n), rate(z.data() + n, n);
+  const double unit = unit_ * unit_ / work_unit_;
+  const Vector place = from_ / unit_ + moved.cwiseQuotient(scale_);
+  const Vector velocity = moving.place * place + moving.rate * rate;
+  const Vector force = cosine / unit_ * moving.forcing + moving.force_place * place +
+                       moving.force_rate * rate;
+  slope[this->place(kWeight)] = 0.0;
+  slope[this->place(kForcing)] = unit * velocity.dot(force);
+  slope[this->place(kDissipation)] = unit * velocity.dot(moving.damping * velocity);
+  double stops = 0.0;
+  for (std::size_t i = 0; i < contacts_.size(); ++i)
+    stops += Sprung::force(i, z) *
+             (moving.rows[i].dot(velocity) - system_.springs[i].row.dot(rate));
+  for (const SprungSystem::Holding& holding : moving.held)
+    stops += holding.against.dot(velocity) * observed(holding.force, s, z);
+  slope[this->place(kConstraint)] = -unit / unit_ * stops;
+}
+
 inline void Sprung::add_powers(const State& z, const Vector& resistance, double cosine, double s,
                                State& slope) {
+  if (system_.moving) return add_moving_powers(z, cosine, s, slope);
   const Eigen::Index n = modes();
   const Eigen::Map<const Vector> velocity(z.data() + n, n);
   const double unit = unit_ * unit_ / work_unit_;

@@ -101,11 +101,22 @@ struct SprungSystem {
     Matrix by_place{}, by_rate{};
     std::vector<Holding> held;
   };
+  // Where stops move: the velocity V of the structure itself and the loads on it (carried_work.hpp),
+  // the damping it meets, the rows of springs on it, and closed stops against it. What stops do by
+  // moving counts as work of constraints.
+  struct Moving {
+    Matrix place, rate;
+    Vector forcing;
+    Matrix force_place, force_rate, damping;
+    std::vector<Vector> rows;
+    std::vector<Holding> held;
+  };
   Matrix stiffness, damping;  // K, D: n x n, or a column of the diagonal
   Vector load, force;         // n
   double frequency = 0.0;     // of the force, rad/s
   std::vector<Spring> springs;
   std::optional<Powers> powers{};
+  std::optional<Moving> moving{};  // then in place of the powers
   // On a rotating hub: only K above is used then, all else but the springs comes from here.
   std::optional<Turning> turning{};
 };

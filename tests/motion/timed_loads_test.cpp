@@ -1,0 +1,204 @@
+// Loads without a common period: frequencies of their own, signals from files and such as are drawn
+// from a spectral density.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "graze/assembly/assembly.hpp"
+#include "graze/assembly/initial_state.hpp"
+#include "graze/base/angle.hpp"
+#include "graze/scene/detail/random_course.hpp"
+#include "graze/scene/reader.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/systems.hpp"
+
+namespace graze {
+namespace {
+
+using support::RecordedRun;
+
+const std::string kMass =
+    "[lumped]\nmasses = [2]\n[[lumped.spring]]\nbetween = [0, 1]\nstiffness = 18\n";
+
+struct Started {
+  Scene scene;
+  System system;
+  State start;
+};
+Started started(const std::string& text, const std::filesystem::path& folder = "") {
+  Scene scene = parse_scene(text, (folder / "scene.toml").string());
+  System system = assemble(scene);
+  State start = initial_state(scene, system);
+  return {std::move(scene), std::move(system), std::move(start)};
+}
+
+RecordedRun run_of(const Started& of, double seconds) {
+  SimulationOptions options = support::for_seconds(seconds);
+  options.energy = true;
+  RecordedRun run = support::record_run(of.system, of.start, options);
+  EXPECT_EQ(run.result.outcome, RunOutcome::kReachedEnd) << run.result.message;
+  EXPECT_LE(std::abs(run.result.energy->defect()), 1e-10 * run.result.energy->size());
+  return run;
+}
+
+// u and u' of the mass of 2 kg.
+double displacement(const Simulation& run) { return run.final.q[0] / std::sqrt(2.0); }
+
+void write(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file) << text;
+}
+
+// 2 x'' + 18 x = 2 cos 2t + 5 cos(sqrt(5) t + 1), from rest: each harmonic with the free motion
+// that puts it to rest at the start.
+TEST(TimedLoads, IncommensurateFrequenciesWithoutContact) {
+  const double nu = std::sqrt(5.0);
+  const Started of = started(kMass + fmt::format("[[forcing]]\nmass = 1\namplitude = 2\nfrequency "
+                                                 "= 2\n[[forcing]]\nmass = 1\namplitude = 5\n"
+                                                 "frequency = {}\nphase = 1\n",
+                                                 nu));
+  EXPECT_FALSE(of.system.repeats());
+  const auto part = [](double amplitude, double frequency, double phase, double t) {
+    const double size = 0.5 * amplitude / (9.0 - frequency * frequency);
+    return size * (std::cos(frequency * t + phase) - std::cos(phase) * std::cos(3.0 * t) +
+                   frequency / 3.0 * std::sin(phase) * std::sin(3.0 * t));
+  };
+  for (const double t : {0.3, 7.0, 55.5, 400.25})
+    EXPECT_NEAR(displacement(run_of(of, t).result), part(2.0, 2.0, 0.0, t) + part(5.0, nu, 1.0, t),
+                1e-12 * std::sqrt(1.0 + t));
+}
+
+// A frequency that happens to be a multiple of the first is the load of that order.
+TEST(TimedLoads, AFrequencyOfItsOwnIsThatOfAnOrder) {
+  for (const char* law : {"restitution = 0.7\n", "restitution = 0\n",
+                          "[stop.spring]\nstiffness = 300\n",
+                          "[stop.spring]\nstiffness = 900\nexponent = 1.5\n"}) {
+    SCOPED_TRACE(law);
+    const std::string scene = kMass + "damping = 0.4\n[[forcing]]\nmass = 1\namplitude = 9\n"
+                                      "frequency = 2\nphase = 0.2\n[[forcing]]\nmass = 1\n"
+                                      "amplitude = 7\nphase = 0.9\n";
+    const std::string stop = std::string("[[stop]]\nmass = 1\ngap = 0.1\n") + law;
+    const RecordedRun own = run_of(started(scene + "frequency = 3\n" + stop), 40.0);
+    const RecordedRun order = run_of(started(scene + "order = 1.5\n" + stop), 40.0);
+    ASSERT_GT(order.events.size(), 20u);
+    ASSERT_EQ(own.events.size(), order.events.size());
+    for (std::size_t i = 0; i < own.events.size(); ++i) {
+      EXPECT_EQ(own.events[i].kind, order.events[i].kind);
+      EXPECT_NEAR(own.events[i].time, order.events[i].time, 1e-10);
+      EXPECT_NEAR(own.events[i].speed, order.events[i].speed, 1e-9);
+    }
+  }
+}
+
+// x'' + 9 x = f/2, f linear over each piece: x = (f0 + f1 s)/18 + a cos 3s + b sin 3s.
+struct Linear {
+  double x = 0.0, v = 0.0;
+  void pass(double f0, double f1, double s) {
+    const double a = x - f0 / 18.0, b = (v - f1 / 18.0) / 3.0;
+    x = (f0 + f1 * s) / 18.0 + a * std::cos(3.0 * s) + b * std::sin(3.0 * s);
+    v = f1 / 18.0 - 3.0 * a * std::sin(3.0 * s) + 3.0 * b * std::cos(3.0 * s);
+  }
+};
+
+TEST(TimedLoads, ASignalIsExactAlongEachOfItsLines) {
+  const ScratchFolder folder;
+  write(folder / "load.csv", "t (ms);force (kN)\n200;0\n500;0,004\n900;-0,002\n1500;0,001\n");
+  const double at[] = {0.2, 0.5, 0.9, 1.5}, force[] = {0.0, 4.0, -2.0, 1.0};
+  const Started of = started(
+      kMass + "[forcing]\nmass = 1\namplitude = 3\nsignal = { file = \"load.csv\" }\n",
+      folder.string());
+  Linear motion;
+  double t = 0.2;
+  for (int k = 0; k < 3; ++k) {
+    const double h = at[k + 1] - at[k];
+    motion.pass(3.0 * force[k], 3.0 * (force[k + 1] - force[k]) / h, h);
+    t += h;
+    EXPECT_NEAR(displacement(run_of(of, t).result), motion.x, 1e-13);
+  }
+  motion.pass(0.0, 0.0, 10.0);
+  EXPECT_NEAR(displacement(run_of(of, t + 10.0).result), motion.x, 1e-12);
+}
+
+TEST(TimedLoads, ARepeatedSignalBeginsAgain) {
+  const ScratchFolder folder;
+  write(folder / "load.csv", "time,force\n0,1\n0.5,-1\n1.25,2\n");
+  const Started of = started(
+      kMass + "[forcing]\nmass = 1\nsignal = { file = \"load.csv\", repeat = true }\n",
+      folder.string());
+  Linear motion;
+  for (int turn = 0; turn < 40; ++turn) {
+    motion.pass(1.0, -4.0, 0.5);
+    motion.pass(-1.0, 4.0, 0.75);
+  }
+  EXPECT_NEAR(displacement(run_of(of, 50.0).result), motion.x, 1e-11);
+}
+
+// A ground that is accelerated leaves a free mass behind by t^2/2 of it, and one that is accelerated
+// evenly is a weight.
+TEST(TimedLoads, AnAcceleratedBaseIsAWeight) {
+  const ScratchFolder folder;
+  write(folder / "ground.csv", "time,a\n0,-3\n40,-3\n");
+  const std::string stop = "damping = 0.3\n[[stop]]\nmass = 1\ngap = 0.35\nrestitution = 0.8\n";
+  const RecordedRun shaken = run_of(
+      started(kMass + stop + "[forcing]\nkind = \"base\"\nsignal = { file = \"ground.csv\" }\n",
+              folder.string()),
+      39.0);
+  const RecordedRun heavy = run_of(started(kMass + stop + "[gravity]\nacceleration = 3\n"), 39.0);
+  ASSERT_GT(heavy.events.size(), 3u);
+  ASSERT_EQ(shaken.events.size(), heavy.events.size());
+  for (std::size_t i = 0; i < heavy.events.size(); ++i) {
+    EXPECT_EQ(shaken.events[i].kind, heavy.events[i].kind);
+    EXPECT_NEAR(shaken.events[i].time, heavy.events[i].time, 1e-10);
+  }
+}
+
+// A free mass under a force that rises by 6 N/s, 2 x'' = 6 t: it is at .5 at t = 1, with the speed
+// 1.5; a stop there holds it (r = 0) until the force is gone, at 4.
+TEST(TimedLoads, ARampDrivesAMassAgainstAStop) {
+  const ScratchFolder folder;
+  write(folder / "ramp.csv", "time,force\n0,0\n2,12\n4,0\n6,-12\n");
+  const Started of = started(
+      "[lumped]\nmasses = [2]\n[forcing]\nmass = 1\nsignal = { file = \"ramp.csv\" }\n"
+      "[[stop]]\nmass = 1\ngap = 0.5\nrestitution = 0\n",
+      folder.string());
+  const RecordedRun run = run_of(of, 5.0);
+  ASSERT_EQ(run.events.size(), 3u);
+  EXPECT_EQ(run.events[0].kind, EventKind::kImpact);
+  EXPECT_NEAR(run.events[0].time, 1.0, 1e-14);
+  EXPECT_NEAR(run.events[0].speed, 1.5, 1e-14);
+  EXPECT_EQ(run.events[1].kind, EventKind::kStick);
+  EXPECT_NEAR(run.events[1].force, 6.0, 1e-12);
+  EXPECT_EQ(run.events[2].kind, EventKind::kRelease);
+  EXPECT_NEAR(run.events[2].time, 4.0, 1e-12);
+  EXPECT_NEAR(displacement(run.result), 0.5 - 0.5, 1e-11);  // -3 (t - 4)^2/6 s later
+}
+
+// The mean square is the area of the density, and harmonics carry it where it is.
+TEST(TimedLoads, ADrawnCourseHasItsDensity) {
+  const SpectralDensity density{{2.0, 5.0, 8.0}, {0.0, 3.0, 0.0}};
+  const double duration = 64.0, step = 1.0 / 32.0;
+  for (const unsigned seed : {1u, 7u}) {
+    const auto course = drawn_course(density, duration, step, seed);
+    ASSERT_EQ(course->values.size(), 2049u);
+    EXPECT_EQ(course->values.back(), course->values.front());
+    double square = 0.0, mean = 0.0;
+    for (std::size_t k = 0; k < 2048; ++k) {
+      square += course->values[k] * course->values[k] / 2048.0;
+      mean += course->values[k] / 2048.0;
+    }
+    EXPECT_NEAR(square, 9.0, 1e-10);  // the trapezoidal sum of a triangle is exact
+    EXPECT_NEAR(mean, 0.0, 1e-13);
+    for (const double frequency : {1.0, 3.0, 5.0, 7.5}) {
+      std::complex<double> sum = 0.0;
+      for (std::size_t k = 0; k < 2048; ++k)
+        sum += course->values[k] * std::polar(2.0 / 2048.0, -kTurn * frequency * course->times[k]);
+      EXPECT_NEAR(0.5 * std::norm(sum) * duration, density.at(frequency), 1e-10);
+    }
+  }
+  EXPECT_NE(drawn_course(density, duration, step, 1)->values,
+            drawn_course(density, duration, step, 2)->values);
+}
+
+}  // namespace
+}  // namespace graze
