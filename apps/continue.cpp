@@ -124,6 +124,7 @@ int run(const ContinueCommand& command) {
   const std::optional<Restart> restart = read_restart(command, given);
   const Scene& scene = restart ? restart->scene : given;
   require_forcing_and_stop(scene);
+  require_harmonics(scene);
   BranchOptions options = branch_options(command);
   if (restart) start_from(*restart, command, options);
   const SystemFamily family(scene, command.parameter);

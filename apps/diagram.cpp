@@ -32,7 +32,10 @@ SweepOptions sweep_options(const DiagramCommand& command, const StopSignal& stop
 }
 
 // Who names period or impacts means all such orbits.
-DiagramBranches wanted_branches(const DiagramCommand& command) {
+DiagramBranches wanted_branches(const DiagramCommand& command, const Scene& scene) {
+  if (has_signal(scene) && command.branches.value_or(DiagramBranches::kNone) != DiagramBranches::kNone)
+    require_harmonics(scene);
+  if (has_signal(scene)) return DiagramBranches::kNone;
   const bool names_them = command.period_given || command.impacts;
   const DiagramBranches other = names_them ? DiagramBranches::kAll : DiagramBranches::kFound;
   const DiagramBranches wanted = command.branches.value_or(other);
@@ -78,9 +81,9 @@ std::optional<Outcome> add_branches(const DiagramCommand& command, DiagramBranch
 
 int run(const DiagramCommand& command) {
   check_plot<DiagramRecord>(command);
-  const DiagramBranches wanted = wanted_branches(command);
   check_journal_options(command, command.journal);
   const Scene scene = scene_of(command);
+  const DiagramBranches wanted = wanted_branches(command, scene);
   if (!scene.repeats()) return run_diagram_of_runs(command, scene);
   if (command.duration)
     throw InputError(

@@ -27,6 +27,14 @@ std::string data_text(const std::string& file) {
   return text;
 }
 
+// What a fit knows of motions is how they change with the numbers of harmonics.
+void require_harmonic_loads(const Scene& scene) {
+  if (scene.forcing && (!scene.repeats() || scene.forcing->signal))
+    throw scene_error(scene, "forcing",
+                      "a load is a signal or has a frequency of its own; parameters are fitted to "
+                      "motions under loads with a common period");
+}
+
 // Motions are looked at along the flow that is most careful.
 void require_exact(const Scene& scene) {
   const FlowChoice flow = scene.solver.flow;
@@ -51,6 +59,7 @@ int run(const FitCommand& command) {
   check_plot<FitRecord>(command);
   const Scene scene = scene_of(command);
   require_exact(scene);
+  require_harmonic_loads(scene);
   FitRecord record;
   record.info = info_of_call(command, scene);
   const std::string text = command.given_data ? *command.given_data : data_text(command.data);

@@ -82,6 +82,7 @@ int run_loci(const ContinueCommand& command) {
   const std::optional<Restart> restart = read_restart(command, given);
   const Scene& scene = restart ? restart->scene : given;
   require_forcing_and_stop(scene);
+  require_harmonics(scene);
   LociOptions options = loci_options(command, scene);
   if (restart) start_from(*restart, command, options);
   LociRecord record;

@@ -47,6 +47,20 @@ inline void require_forcing_and_stop(const Scene& scene) {
     throw scene_error(scene, "stop", "there is no [[stop]]; periodic orbits here have impacts");
 }
 
+inline bool has_signal(const Scene& scene) {
+  const std::vector<const HarmonicLoad*> loads = scene.harmonic_loads();
+  return std::any_of(loads.begin(), loads.end(),
+                     [](const HarmonicLoad* load) { return load->signal.has_value(); });
+}
+
+// Branches rest on derivatives by the phase, which a signal has between its instants alone.
+inline void require_harmonics(const Scene& scene) {
+  if (!has_signal(scene)) return;
+  throw scene_error(scene, "forcing",
+                    "a load is a signal; its orbits are found (orbit), and its motions followed over "
+                    "a parameter (diagram), but branches are traced under harmonics alone");
+}
+
 // Of motions that are followed until they settle.
 inline void set_settling(const MotionOptions& command, const SettlingOptions& settling,
                          RowOptions& options) {

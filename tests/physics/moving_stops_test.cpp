@@ -220,7 +220,7 @@ TEST(MovingStops, StatesAgreeWithTheReference) {
 TEST(MovingStops, ABallOnATableHasItsClosedFormOrbits) {
   constexpr double g = 9.81;
   for (const double r : {0.3, 0.5, 0.8})
-    for (const double beyond : {1.2, 1.35}) {
+    for (const double beyond : {1.05, 1.2}) {
       const double least = std::numbers::pi * g * (1.0 - r) / (1.0 + r) / 3600.0, amplitude = beyond * least;
       SCOPED_TRACE(fmt::format("r {} A {}", r, amplitude));
       const Scene scene = parse_scene(kBall, "ball.toml",
@@ -230,7 +230,7 @@ TEST(MovingStops, ABallOnATableHasItsClosedFormOrbits) {
       FinderOptions options;
       options.impacts = 1;
       const FoundOrbits found = find_orbits(system, initial_state(scene, system), options);
-      ASSERT_FALSE(found.orbits.empty());
+      ASSERT_EQ(found.orbits.size(), 2u);
       for (const Orbit& orbit : found.orbits) {
         const double phase = orbit.impacts[0].phase;
         EXPECT_NEAR(std::cos(phase), 1.0 / beyond, 1e-12);

@@ -49,7 +49,7 @@ TEST(RandomScene, MeasuredImpulsesBalanceTheMomentum) {
       if (system.load())
         add((*system.load())[j] * run.end_time, (*system.load())[j] * run.end_time);
       if (forcing) {
-        const auto add_harmonic = [&](int order, double cosine, double sine) {
+        const auto add_harmonic = [&](double order, double cosine, double sine) {
           const double w = order * forcing->frequency, from = order * forcing->phase,
                        to = from + w * run.end_time;
           add((cosine * (std::sin(to) - std::sin(from)) - sine * (std::cos(to) - std::cos(from))) /

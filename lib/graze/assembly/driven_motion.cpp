@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include "graze/base/linalg/detail/dense_factors.hpp"
@@ -103,7 +104,7 @@ class DriveSum {
     sum_.value.forcing = {common_ * frequency_.value, phase_.value, none(), {}};
     sum_.rate.forcing = {common_ * frequency_.rate, phase_.rate, none(), {}};
     sum_.value.forcing.repeats = sum_.rate.forcing.repeats = scene.repeats();
-    sum_.value.forcing.has_phase = sum_.rate.forcing.has_phase = !first.signal;
+    sum_.value.forcing.has_phase = sum_.rate.forcing.has_phase = !first.signal || scene.repeats();
     const std::vector<const HarmonicLoad*> loads = scene.harmonic_loads();
     for (std::size_t k = 0; k < loads.size(); ++k) add_load(k);
     if (scene.has_moving_stop()) add_carried();
@@ -163,6 +164,7 @@ class DriveSum {
     const double frequency = load.own ? double{*load.own} : turns * frequency_.value;
     const double factor = is_base ? frequency * frequency : 1.0;
     const Vector& on = model_.participations[k];
+    if (load.kind == ForcingKind::kSupport) return add_support(load, moved, order, k);
     Rated<Vector> force{load.amplitude * factor * on, none()};
     if (moved) {
       const double factor_rate =
@@ -180,9 +182,34 @@ class DriveSum {
         sum_.rate.forcing.harmonics);
   }
 
+  // A support that moves by y presses with k y + c y', c y' a quarter of a turn ahead.
+  void add_support(const HarmonicLoad& load, const HarmonicLoad* moved, double order,
+                   std::size_t k) {
+    const Rated<double> frequency = frequency_of(order);
+    const std::array<double, 2> springs = scene_.support_of(load);
+    const std::array<double, 2> rates =
+        moved ? direction_->support_of(load) : std::array<double, 2>{};
+    const Rated<double> factors[] = {
+        {springs[0], rates[0]},
+        {frequency.value * springs[1], frequency.rate * springs[1] + frequency.value * rates[1]}};
+    double ahead = 0.0;
+    for (const auto& [factor, factor_rate] : factors) {
+      const Vector& on = model_.participations[k];
+      Rated<Vector> force{load.amplitude * factor * on, none()};
+      if (moved)
+        force.rate = (moved->amplitude * factor + load.amplitude * factor_rate) * on +
+                     load.amplitude * factor * rate_->participations[k];
+      add(turned(order, force, load.phase + ahead, moved ? moved->phase : 0.0),
+          sum_.value.forcing.harmonics, sum_.rate.forcing.harmonics);
+      ahead += std::numbers::pi / 2.0;
+    }
+  }
+
   // A clamp that is accelerated leaves the structure behind.
   void add_signal(const HarmonicLoad& load, const Vector& on) {
-    const double sign = load.kind == ForcingKind::kBase ? -1.0 : 1.0;
+    const double sign = load.kind == ForcingKind::kBase      ? -1.0
+                        : load.kind == ForcingKind::kSupport ? scene_.support_of(load)[0]
+                                                             : 1.0;
     const HarmonicForcing& forcing = sum_.value.forcing;
     const Harmonic::Timed timed{load.signal->course, forcing.frequency, forcing.phase};
     sum_.value.forcing.harmonics.push_back({0.0, sign * load.amplitude * on, none(), timed});

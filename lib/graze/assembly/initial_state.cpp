@@ -178,6 +178,21 @@ std::optional<Vector> static_equilibrium(const System& system) {
   return q;
 }
 
+// The state of the system at t = 0; what lies on a stop within the rounding of where that is then
+// lies on it.
+State seen_from_stops(const System& system, const State& structure) {
+  constexpr double kRoundings = 16.0 * std::numeric_limits<double>::epsilon();
+  const double phase = system.forcing()->phase;
+  State state = system_state(system, structure, phase);
+  for (const Stop& stop : system.stops) {
+    double size = std::abs(stop.gap) + stop.row.cwiseAbs().dot(structure.q.cwiseAbs());
+    for (const Harmonic& one : *system.carried()) size += std::abs(stop.row.dot(one.at(phase)));
+    const double gap = stop.gap - stop.row.dot(state.q);
+    if (std::abs(gap) <= kRoundings * size) state.q += gap / stop.row.squaredNorm() * stop.row;
+  }
+  return state;
+}
+
 // With its stops where they are at t = 0.
 System at_start(const System& system) {
   System there = system;
@@ -248,7 +263,7 @@ State initial_state(const Scene& scene, const System& system) {
                       at_rest ? "nothing holds" : "its preloads do not hold"));
     state.q = *q;
   }
-  if (system.carried()) state = system_state(system, state, system.forcing()->phase);
+  if (system.carried()) state = seen_from_stops(system, state);
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     const Stop& stop = system.stops[i];
     const GapValue<double> gap = gap_value<double>(stop.row, state.q, stop.gap);

@@ -189,15 +189,37 @@ void check_start(const Scene& scene) {
                       "[matrices]; it must be left out");
 }
 
+// Springs carry a displacement of their far end, dashpots its rate, which a course along straight
+// lines has no more of than its slope.
+void check_support(const Scene& scene, const HarmonicLoad& load, const std::string& table) {
+  const ValueChecker checker(scene, table);
+  const std::array<double, 2> springs = scene.support_of(load);
+  if (springs[0] == 0.0 && springs[1] == 0.0)
+    checker.fail("kind", fmt::format("nothing connects mass {} with the ground, it must be a mass with "
+                                     "a spring to 0",
+                                     load.at.node));
+  if (load.signal && springs[1] != 0.0)
+    checker.fail("signal",
+                 "the support has a dashpot, whose force would jump at each instant of the signal; "
+                 "the dashpot must be left out, or the signal be one of forces");
+  if (scene.has_load(ForcingKind::kBase))
+    checker.fail("kind",
+                 "displacements count from the base where that moves, and from where supports stand "
+                 "where these do; the loads must be of one of both kinds");
+}
+
 void check_load(const Scene& scene, const HarmonicLoad& load, const std::string& table) {
   const ValueChecker checker(scene, table);
   if (load.signal && !load.signal->course) checker.fail("signal", "it has not been read");
   if (load.signal && load.kind == ForcingKind::kNone)
     checker.fail("kind", "a signal is that of a load, it must not be \"none\"");
-  if (scene.forcing->signal && load.order)
-    checker.fail("order", "the first load is a signal, which has no frequency, it must be frequency");
+  if (scene.forcing->signal && !scene.forcing->signal->repeats && load.order)
+    checker.fail("order",
+                 "the first load is a signal that does not repeat, there must be a frequency in its "
+                 "place");
+  if (load.kind == ForcingKind::kSupport) check_support(scene, load, table);
   const ModalStructure* modal = scene.modal();
-  if (load.kind == ForcingKind::kPoint) check_load_point(scene, load.at, table);
+  if (load.has_place()) check_load_point(scene, load.at, table);
   if (modal == nullptr && load.kind == ForcingKind::kModal) {
     checker.fail("kind", "modal forcing needs [modal], it must be base or distributed");
   }
@@ -320,10 +342,10 @@ void check_motion(const Scene& scene, const SceneStop& stop, const std::string& 
                         "the clamp is shaken by a load that is no harmonic of the first; a stop "
                         "that stays in space meanwhile is not simulated, it must be left out");
   if (stop.motion.empty()) return;
-  if (scene.forcing && scene.forcing->signal)
+  if (scene.forcing && scene.forcing->signal && !scene.forcing->signal->repeats)
     throw scene_error(scene, table + ".motion",
-                      "the first load is a signal, which has no frequency for stops to move by; it "
-                      "must stand behind a harmonic one");
+                      "the first load is a signal that does not repeat, so there is no frequency for "
+                      "stops to move by; it must stand behind a harmonic one");
   if (scene.hub)
     throw scene_error(scene, table + ".motion",
                       "a stop of a structure on a hub does not move, it must be left out");

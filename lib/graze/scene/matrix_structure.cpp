@@ -178,7 +178,7 @@ Matrix acting_points(const Scene& scene, const PointRows& rows) {
     list.push_back(rows.row(numbered_path("load", i + 1), scene.loads[i]));
   std::size_t number = 0;
   for (const HarmonicLoad* load : scene.harmonic_loads())
-    if (++number; load->kind == ForcingKind::kPoint)
+    if (++number; load->has_place())
       list.push_back(rows.row(numbered_path("forcing", number), load->at));
   Matrix points(rows.size(), static_cast<Eigen::Index>(list.size()));
   for (std::size_t k = 0; k < list.size(); ++k) points.col(static_cast<Eigen::Index>(k)) = list[k];
@@ -292,10 +292,10 @@ void give_modes(Scene& scene, const PointRows& rows, const MatrixModes& found) {
   const auto next_shape = [&] { return as_list(shapes.transpose() * found.points.col(column++)); };
   for (SceneStop& stop : scene.stops) stop.shape = next_shape();
   for (PointLoad& load : scene.loads) load.shape = next_shape();
-  if (scene.forcing && scene.forcing->kind == ForcingKind::kPoint)
+  if (scene.forcing && scene.forcing->has_place())
     scene.forcing->at.shape = next_shape();
   for (HarmonicLoad& load : scene.further)
-    if (load.kind == ForcingKind::kPoint) load.at.shape = next_shape();
+    if (load.has_place()) load.at.shape = next_shape();
   for (std::size_t i = 0; i < scene.probes.size(); ++i) {
     Probe& probe = scene.probes[i];
     if (is_of_hub(probe.quantity)) continue;

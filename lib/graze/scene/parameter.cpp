@@ -259,7 +259,9 @@ std::string si_unit(const Scene& scene, const std::string& path) {
     const auto place = static_cast<std::size_t>(number > 0 ? number - 1 : 0);
     if (place >= loads.size()) return "";
     const ForcingKind kind = loads[place]->kind;
-    return kind == ForcingKind::kBase          ? "m"
+    if (loads[place]->signal) return "";
+    return kind == ForcingKind::kSupport       ? "m"
+           : kind == ForcingKind::kBase        ? "m"
            : kind == ForcingKind::kPoint       ? "N"
            : kind == ForcingKind::kDistributed ? "N/m"
                                                : "";

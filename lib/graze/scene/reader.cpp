@@ -305,7 +305,7 @@ void probe_loads(Scene& scene) {
   std::vector<StructurePoint> loaded(scene.loads.begin(), scene.loads.end());
   std::vector<StructurePoint> forced;
   for (const HarmonicLoad* load : scene.harmonic_loads())
-    if (load->kind == ForcingKind::kPoint) forced.push_back(load->at);
+    if (load->has_place()) forced.push_back(load->at);
   loaded.insert(loaded.begin(), forced.begin(), forced.end());
   for (const StructurePoint& at : loaded)
     scene.probes.push_back({at.position, at.shape, at.node, at.against});

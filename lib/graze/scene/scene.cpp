@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "graze/scene/detail/table_paths.hpp"
+#include "graze/scene/discrete_matrices.hpp"
 
 namespace graze {
 
@@ -30,11 +31,30 @@ bool Scene::has_load(ForcingKind kind) const {
                      [&](const HarmonicLoad* load) { return load->kind == kind; });
 }
 
+// A signal that stands first and repeats has a period, which further ones may have, too.
 bool Scene::repeats() const {
   const std::vector<const HarmonicLoad*> list = harmonic_loads();
-  return forcing && std::none_of(list.begin(), list.end(), [](const HarmonicLoad* load) {
-           return load->own || load->signal;
+  const auto length = [](const HarmonicLoad& load) {
+    const SignalSource& signal = *load.signal;
+    return signal.repeats ? signal.course->times.back() - signal.course->times.front() : 0.0;
+  };
+  return forcing && std::all_of(list.begin(), list.end(), [&](const HarmonicLoad* load) {
+           if (!load->signal) return !load->own;
+           return forcing->signal && length(*load) > 0.0 && length(*load) == length(*forcing);
          });
+}
+
+std::array<double, 2> Scene::support_of(const HarmonicLoad& load) const {
+  std::array<double, 2> sums{};
+  const std::optional<int> mass = mass_named(*lumped(), load.at.node);
+  for (const LumpedSpring& spring : lumped()->springs) {
+    const std::optional<int> first = mass_named(*lumped(), spring.between[0]),
+                             second = mass_named(*lumped(), spring.between[1]);
+    if (!(first == mass && second == -1) && !(first == -1 && second == mass)) continue;
+    sums[0] += spring.stiffness;
+    sums[1] += spring.damping;
+  }
+  return sums;
 }
 
 std::vector<StopMotion> Scene::motion_of(const SceneStop& stop) const {

@@ -23,8 +23,9 @@ namespace graze {
 
 enum class Side { kAbove, kBelow };
 enum class Impulse { kMomentum, kCollocation };
-// kNone: no force; its frequency is that of what moves otherwise.
-enum class ForcingKind { kBase, kDistributed, kModal, kPoint, kNone };
+// kSupport: the far end of the springs and dashpots between the ground and a mass moves; kNone: no
+// force, its frequency is that of what moves otherwise.
+enum class ForcingKind { kBase, kDistributed, kModal, kPoint, kSupport, kNone };
 // What a stop stands on: the clamp, or ground, with which it is shaken, or what does not move.
 enum class StopFrame { kClamp, kSpace };
 // How the motion between impacts is computed: exactly, or integrated step by step by rk4, dopri5,
@@ -126,17 +127,19 @@ struct SignalSource {
 // one of its own; or amplitude times a course of time.
 struct HarmonicLoad {
   ForcingKind kind = ForcingKind::kBase;
-  double amplitude = 0.0;         // base: m; distributed: N/m; modal: 1; point: N; none: 0
+  double amplitude = 0.0;         // base, support: m; distributed: N/m; modal: 1; point: N
   std::optional<double> order{};  // a ratio of small whole numbers; absent: 1
   double phase = 0.0;             // rad
-  StructurePoint at{};            // of the kind "point"
+  StructurePoint at{};            // of the kinds "point" and "support"
   // In place of the order, > 0; loads then have no common period.
   std::optional<Frequency> own{};
   // In place of the harmonic; of the kind "base" the acceleration of the clamp.
   std::optional<SignalSource> signal{};
+
+  bool has_place() const { return kind == ForcingKind::kPoint || kind == ForcingKind::kSupport; }
 };
 
-// The first load; of one that is a signal the frequency is 1 rad/s.
+// The first load; of one that is a signal the frequency is that with which it repeats, or 1 rad/s.
 struct Forcing : HarmonicLoad {
   Frequency frequency{};  // > 0
 };
@@ -289,6 +292,9 @@ struct Scene {
   bool has_load(ForcingKind kind) const;
   // Whether loads have a common period: all are harmonics of the first one's frequency.
   bool repeats() const;
+  // The springs and dashpots between the ground and the mass of a load of the kind "support", N/m and
+  // N s/m; of a direction of the scene, what these move by.
+  std::array<double, 2> support_of(const HarmonicLoad& load) const;
   // How a stop moves relative to the clamp, in the order of its terms and then of the loads.
   std::vector<StopMotion> motion_of(const SceneStop& stop) const;
   bool has_moving_stop() const;

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "graze/base/angle.hpp"
 #include "graze/base/units.hpp"
 #include "graze/scene/data_table.hpp"
 #include "graze/scene/detail/random_course.hpp"
@@ -22,6 +23,8 @@ const char* unit_of(ForcingKind kind) {
       return "N/m";
     case ForcingKind::kPoint:
       return "N";
+    case ForcingKind::kSupport:
+      return "m";
     default:
       return "";
   }
@@ -124,6 +127,9 @@ void read_signals(Scene& scene) {
   };
   read(*scene.forcing);
   for (HarmonicLoad& load : scene.further) read(load);
+  if (!scene.forcing->signal || !scene.forcing->signal->repeats) return;
+  const TimeCourse& first = *scene.forcing->signal->course;
+  scene.forcing->frequency = kTurn / (first.times.back() - first.times.front());
 }
 
 }  // namespace graze

@@ -128,7 +128,7 @@ Vector span_inertia_rate(const Scene& scene, const SpanModes& modes, const Vecto
 // By collocation a load per length is an acceleration times rho A.
 Vector span_participation(const Scene& scene, const HarmonicLoad& load, const SpanModes& modes,
                           const Matrix& phi) {
-  if (load.kind == ForcingKind::kPoint) return shapes_of(modes, load.at.position);
+  if (load.has_place()) return shapes_of(modes, load.at.position);
   if (load.kind == ForcingKind::kNone) return Vector::Zero(scene.modes());
   if (load.kind != ForcingKind::kDistributed) return span_inertia(scene, modes, phi);
   if (collocates(scene))
@@ -141,7 +141,7 @@ Vector span_participation_rate(const Scene& scene, const Scene& direction, std::
                                const SpanModes& modes, const ModalModel& model,
                                const Matrix& phi_rate) {
   const HarmonicLoad& load = *scene.harmonic_loads()[k];
-  if (load.kind == ForcingKind::kPoint)
+  if (load.has_place())
     return shape_rates_at(modes, load.at, direction.harmonic_loads()[k]->at);
   const Vector& g = model.participations[k];
   if (load.kind == ForcingKind::kNone) return Vector::Zero(g.size());
@@ -163,7 +163,7 @@ ModalModel given_numbers(const Scene& scene, const Scene& of) {
     model.participations.emplace_back(
         load->kind == ForcingKind::kNone    ? Vector(Vector::Zero(model.omega.size()))
         : load->kind == ForcingKind::kBase  ? Vector(as_vector(modal.inertia))
-        : load->kind == ForcingKind::kPoint ? Vector(as_vector(load->at.shape))
+        : load->has_place() ? Vector(as_vector(load->at.shape))
                                             : Vector(as_vector(modal.participation)));
   if (scene.gravity) model.inertia = as_vector(modal.inertia);
   for (const SceneStop& stop : of.stops) model.shapes.emplace_back(as_vector(stop.shape));
@@ -204,7 +204,7 @@ ModalModel discrete_tangent(const Scene& scene, const ModalModel& model, const S
   const int along = scene.matrices() ? scene.matrices()->direction : 0;
   if (scene.gravity) rate.inertia = rates.inertia.at(along);
   for (const HarmonicLoad* load : scene.harmonic_loads())
-    rate.participations.push_back(load->kind == ForcingKind::kPoint  ? of_point(next++)
+    rate.participations.push_back(load->has_place()  ? of_point(next++)
                                   : load->kind == ForcingKind::kBase ? rates.inertia.at(along)
                                   : load->kind == ForcingKind::kNone
                                       ? Vector(Vector::Zero(rates.omega.size()))

@@ -122,6 +122,7 @@ std::optional<Response> response_of(const System& system) {
   response.amplitude = amplitudes_of(system, 1, system.forcing()->amplitude.cast<Complex>());
   bool found = response.amplitude.size() == n && response.amplitude.allFinite();
   for (const Harmonic& one : system.forcing()->harmonics) {
+    if (one.timed) return {};
     const int order = static_cast<int>(one.order);
     response.harmonics.push_back({order, amplitudes_of(system, order, one.force())});
     const ComplexVector& part = response.harmonics.back().amplitude;

@@ -38,6 +38,22 @@ double restitution_of(const Stop& stop, double speed) {
   return restitution;
 }
 
+// The system under one harmonic of its forces, that of the common period, with the part of each
+// mode's force that is in phase with what acts at a stop: all of it, where one mode moves there.
+// Returns by how much the phase of that is ahead, rad.
+double keep_first_harmonic(const Vector& row, System& system) {
+  HarmonicForcing& forcing = *system.modal().forcing;
+  ComplexVector force = forcing.amplitude.cast<Complex>();
+  for (const Harmonic& one : forcing.harmonics)
+    if (one.order == 1.0) force += one.force();
+  forcing.harmonics.clear();
+  system.modal().carried.clear();
+  const Complex acting = row.cast<Complex>().dot(force);
+  const double ahead = std::arg(acting);
+  forcing.amplitude = (force * std::polar(1.0, -ahead)).real();
+  return ahead;
+}
+
 }  // namespace
 
 std::optional<State> period_end_after(const System& system, const ImpactPoint& impact, int stop,
@@ -61,13 +77,14 @@ std::vector<State> closed_form_contacts(const System& system, int period,
     const Stop& stop = system.stops[i];
     // The two solutions have different speeds.
     const bool gives_way = stop.is_compliant();
-    for (std::size_t which = 0; which < 2 && (gives_way || system.coupling()); ++which) {
+    for (std::size_t which = 0; which < 2 && (gives_way || !system.has_closed_forms()); ++which) {
       if (segment.stop.requested()) return starts;
       double speed = motion_scale(system).speed;
       std::optional<ImpactPoint> point;
       for (int round = 0; round < kRounds && speed > 0.0; ++round) {
         System rigid = system;
         rigid.modal().coupling.reset();
+        const double ahead = rigid.harmonics() ? keep_first_harmonic(stop.row, rigid) : 0.0;
         if (gives_way)
           rigid.stops[i].law =
               ImpactLaw{momentum_direction(stop.row), Restitution{restitution_of(stop, speed)}};
@@ -76,6 +93,7 @@ std::vector<State> closed_form_contacts(const System& system, int period,
         const std::vector<ImpactPoint> points = answer.form->solutions(stop.gap);
         if (which >= points.size()) break;
         point = points[which];
+        point->theta -= ahead;
         speed = stop.row.dot(point->before.qdot);
         if (!gives_way) break;
       }

@@ -59,6 +59,7 @@ inline constexpr std::array kMatrixForcings{Choice{"base", ForcingKind::kBase},
                                             Choice{"none", ForcingKind::kNone}};
 inline constexpr std::array kLumpedForcings{Choice{"base", ForcingKind::kBase},
                                             Choice{"point", ForcingKind::kPoint},
+                                            Choice{"support", ForcingKind::kSupport},
                                             Choice{"none", ForcingKind::kNone}};
 inline constexpr std::array kSpectrumSides{Choice{"one", SpectrumSides::kOne},
                                            Choice{"two", SpectrumSides::kTwo}};

@@ -79,10 +79,11 @@ void describe_harmonic(auto& v, auto& forcing, const Scene& scene, const auto& f
       Key{"kind", "",
           own_rule("`\"point\"`; `\"base\"`; `\"distributed\"` with `[beam]`, `[string]` and "
                    "`[bar]` only; `\"modal\"` with `[modal]` only; `\"load\"` with "
-                   "`[matrices]` only; `\"none\"`"),
+                   "`[matrices]` only; `\"support\"` with `[lumped]` only; `\"none\"`"),
           "point: a force at one point; base: displacement of the clamp and of all supports, "
           "or of the ground; distributed: force per length; modal: modal forces "
-          "`participation` times amplitude; load: forces `load` times amplitude; none: no force, "
+          "`participation` times amplitude; load: forces `load` times amplitude; support: displacement of "
+          "the far end of the springs to the ground at one mass; none: no force, "
           "only the frequency of stops that move"}
           .or_else(
               "`\"point\"` where a point is given, else `\"base\"`, with `[modal]` "
@@ -96,7 +97,7 @@ void describe_harmonic(auto& v, auto& forcing, const Scene& scene, const auto& f
     v.choice(kind, forcing.kind, kModalForcings);
   else
     v.choice(kind, forcing.kind, kBeamForcings);
-  describe_load_point(v, forcing.at, scene, forcing.kind == ForcingKind::kPoint,
+  describe_load_point(v, forcing.at, scene, forcing.has_place(),
                       "forcing of this kind acts on all of the structure: forcing.kind must be "
                       "\"point\", or it must be left out");
   const bool timed = forcing.signal.has_value();

@@ -9,6 +9,8 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/initial_state.hpp"
 #include "graze/base/angle.hpp"
+#include "graze/orbit/search/finder.hpp"
+#include "graze/scene/matrix_structure.hpp"
 #include "graze/scene/detail/random_course.hpp"
 #include "graze/scene/reader.hpp"
 #include "support/scratch_folder.hpp"
@@ -172,6 +174,77 @@ TEST(TimedLoads, ARampDrivesAMassAgainstAStop) {
   EXPECT_EQ(run.events[2].kind, EventKind::kRelease);
   EXPECT_NEAR(run.events[2].time, 4.0, 1e-12);
   EXPECT_NEAR(displacement(run.result), 0.5 - 0.5, 1e-11);  // -3 (t - 4)^2/6 s later
+}
+
+// Supports that all move alike are a base that moves: the same motion, seen from the ground.
+TEST(TimedLoads, SupportsThatMoveTogetherAreTheBase) {
+  const std::string masses =
+      "[lumped]\nmasses = [2, 1]\n"
+      "[[lumped.spring]]\nbetween = [0, 1]\nstiffness = 50\ndamping = 0.7\n"
+      "[[lumped.spring]]\nbetween = [\"ground\", 2]\nstiffness = 30\ndamping = 0.2\n"
+      "[[lumped.spring]]\nbetween = [1, 2]\nstiffness = 20\ndamping = 0.1\n";
+  const double w = 3.7, size = 0.2;
+  const std::string moves = fmt::format("amplitude = {}\nphase = -1.5707963267948966\n", size);
+  const Started base = started(
+      masses + "[forcing]\nkind = \"base\"\nfrequency = 3.7\n" + moves +
+      "[[stop]]\nmass = 1\nagainst = 2\ngap = 0.1\nrestitution = 0.6\n");
+  const Started supports = started(
+      masses + "[[forcing]]\nkind = \"support\"\nmass = 1\nfrequency = 3.7\n" + moves +
+      "[[forcing]]\nkind = \"support\"\nmass = 2\n" + moves +
+      "[[stop]]\nmass = 1\nagainst = 2\ngap = 0.1\nrestitution = 0.6\n" +
+      fmt::format("[initial]\nvelocity = [{0}, {0}]\n", size * w));
+  const RecordedRun from_base = run_of(base, 15.0), from_ground = run_of(supports, 15.0);
+  ASSERT_GT(from_base.events.size(), 5u);
+  ASSERT_EQ(from_base.events.size(), from_ground.events.size());
+  for (std::size_t i = 0; i < from_base.events.size(); ++i)
+    EXPECT_NEAR(from_base.events[i].time, from_ground.events[i].time, 1e-11);
+  const Matrix& shapes = base.scene.discrete()->solved->modes.shapes;
+  const Vector apart = shapes * (from_ground.result.final.q - from_base.result.final.q);
+  for (const double moved : apart) EXPECT_NEAR(moved, size * std::sin(w * 15.0), 1e-11);
+}
+
+// Its multipliers are those of the motion over one turn of the signal, by differences.
+TEST(TimedLoads, OrbitsUnderARepeatedSignal) {
+  const ScratchFolder folder;
+  write(folder / "load.csv", "time,force\n0,9\n0.6,-9\n1.5,3\n2.1,9\n");
+  const Started of = started(
+      kMass + "damping = 1.5\n[forcing]\nmass = 1\nsignal = { file = \"load.csv\", repeat = "
+              "true }\n[[stop]]\nmass = 1\ngap = 0.3\nrestitution = 0.7\n",
+      folder.string());
+  EXPECT_TRUE(of.system.repeats());
+  EXPECT_NEAR(of.system.period(), 2.1, 1e-15);
+  FinderOptions options;
+  options.impacts.reset();
+  const FoundOrbits found = find_orbits(of.system, of.start, options);
+  ASSERT_FALSE(found.orbits.empty());
+  const Orbit& orbit = found.orbits.front();
+  ASSERT_TRUE(orbit.section);
+  ASSERT_GT(orbit.impacts.size(), 0u);
+  const MotionState<double>& at = orbit.section->states.front();
+  const auto end = [&](double q, double qdot) {
+    RunState state = simulate(of.system, of.start, support::for_seconds(0.0)).state;
+    state.motion = at;
+    state.motion.q[0] += q;
+    state.motion.qdot[0] += qdot;
+    state.motion.instant.period = 0;
+    SimulationOptions run;
+    run.duration = at.instant.local + 2.1 * orbit.period;
+    return resume(of.system, state, run).final;
+  };
+  const State back = end(0.0, 0.0);
+  EXPECT_NEAR(back.q[0], at.q[0], 1e-11);
+  EXPECT_NEAR(back.qdot[0], at.qdot[0], 1e-11);
+  const double h = 1e-6;
+  Matrix map(2, 2);
+  for (int k = 0; k < 2; ++k) {
+    const State up = end(k == 0 ? h : 0.0, k == 1 ? h : 0.0),
+                down = end(k == 0 ? -h : 0.0, k == 1 ? -h : 0.0);
+    map.col(k) << (up.q[0] - down.q[0]) / (2.0 * h), (up.qdot[0] - down.qdot[0]) / (2.0 * h);
+  }
+  const Complex sum = orbit.multipliers[0].value + orbit.multipliers[1].value;
+  const Complex product = orbit.multipliers[0].value * orbit.multipliers[1].value;
+  EXPECT_NEAR(sum.real(), map.trace(), 1e-8);
+  EXPECT_NEAR(product.real(), map.determinant(), 1e-8);
 }
 
 // The mean square is the area of the density, and harmonics carry it where it is.
