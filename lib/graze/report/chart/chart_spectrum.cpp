@@ -67,6 +67,19 @@ Chart spectrum_chart(const SimulationRecord& record) {
   return chart;
 }
 
+Chart psd_chart(const SimulationRecord& record) {
+  Chart chart{"Power spectral density", {}};
+  const RunStatistics& statistics = *record.statistics;
+  for (std::size_t i = 0; i < std::min(record.places.size(), kMostPlaces); ++i) {
+    const MeasuredPlace& place = record.places[i];
+    chart.rows.push_back({lines_panel(
+        record, {.name = "PSD at\n" + place.name(), .unit = density_unit(place, record.info.units)},
+        1e-12, statistics.frequencies(), statistics.places[i].density,
+        0.5 * statistics.sample_rate)});
+  }
+  return chart;
+}
+
 Chart returns_chart(const SimulationRecord& record) {
   Chart chart{"Return map of the impacts", {}};
   const Units units = record.info.units;
