@@ -27,6 +27,8 @@ Chart chart_shown(const SimulationRecord& record, const Scene&, bool) {
       return returns_chart(record);
     case RunPicture::kSpectrum:
       return spectrum_chart(record);
+    case RunPicture::kPsd:
+      return psd_chart(record);
     case RunPicture::kShapes:
       return shapes_chart(record);
     case RunPicture::kForces:

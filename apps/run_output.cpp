@@ -24,7 +24,7 @@ constexpr std::size_t kStoredNumbers = 100'000;
 
 RunOutput::RunOutput(const SimulateCommand& command, const System& system,
                      const std::vector<ProbeRow>& probes, std::optional<RunSection> section,
-                     const Rate& rate, double end)
+                     std::optional<StatisticsCollector> statistics, const Rate& rate, double end)
     : system_(system),
       probes_(probes),
       caller_(command.caller),
@@ -36,12 +36,15 @@ RunOutput::RunOutput(const SimulateCommand& command, const System& system,
       // Beside the results, where room for them is needed anyway.
       events_(command.out.empty() ? Spool() : Spool(command.out)),
       section_(std::move(section)),
+      statistics_(std::move(statistics)),
       rate_(rate),
       most_samples_(command.show == RunPicture::kSpectrum ? kSpectrumSamples : kPictureSamples) {
   const auto numbers = static_cast<std::size_t>(2 * system.modes());
   if (command.plot.empty()) most_samples_ = std::min(kPictureSamples, kStoredNumbers / numbers + 1);
   if (draws_ && !samples_all_)
     shown_from_ = std::max(0.0, end - static_cast<double>(most_samples_ - 1) / rate_.rate);
+  if (statistics_ && !records_samples_)
+    shown_from_ = draws_ ? std::min(shown_from_, statistics_->from()) : statistics_->from();
   if (caller_)
     caller_->begin_run(
         system, probes, command.keeps_balance(),
@@ -63,6 +66,7 @@ RunOutput::RunOutput(const SimulateCommand& command, const System& system,
 
 void RunOutput::add(const Event& event) {
   if (section_) section_->add(event);
+  if (statistics_) statistics_->add(event);
   if (records_events_) {
     excerpt_.add(event);
     if (caller_) caller_->hear(event);
@@ -79,6 +83,7 @@ void RunOutput::add(const Sample& sample) {
   if (section_) section_->add(system_, sample);
   const bool tabled =
       rate_.stride == 1 || std::llround(sample.time * rate_.rate) % rate_.stride == 0;
+  if (statistics_ && tabled) statistics_->add(sample);
   if (caller_ && records_samples_ && tabled) caller_->hear(sample);
   if (sample_table_ && tabled) sample_table_->append(samples_csv_row(system_, sample, probes_));
   if (sample_arrays_ && tabled) write_sample_row(system_, sample, probes_, sample_arrays_->add());
@@ -110,6 +115,7 @@ std::vector<PendingFile> RunOutput::take_tables() {
 
 void RunOutput::show_in(SimulationRecord& record) {
   record.section = std::move(section_);
+  if (statistics_) record.statistics = statistics_->result();
   record.excerpt = excerpt_;
   record.events.assign(last_events_.begin(), last_events_.end());
   record.samples.assign(last_samples_.begin(), last_samples_.end());

@@ -21,8 +21,8 @@ inline constexpr std::size_t kPictureSamples = 12 * 400, kSpectrumSamples = 64 *
 // long the run is. Throws FileError where something cannot be written.
 class RunOutput {
  public:
-  // How often it is handed a sample, 1/s, and every how many of them stands in the table: a picture
-  // wants more than a table may hold.
+  // How often it is handed a sample, 1/s, and every how many of them stands in the table and counts
+  // in the statistics: a picture wants more than a table may hold.
   struct Rate {
     double rate = 0.0;
     long long stride = 1;
@@ -30,7 +30,7 @@ class RunOutput {
   // `system` and `probes` must outlive it. `end` of the run, s.
   RunOutput(const SimulateCommand& command, const System& system,
             const std::vector<ProbeRow>& probes, std::optional<RunSection> section,
-            const Rate& rate, double end);
+            std::optional<StatisticsCollector> statistics, const Rate& rate, double end);
 
   void add(const Event& event);
   void add(const Sample& sample);
@@ -39,17 +39,17 @@ class RunOutput {
   double samples_from() const { return shown_from_; }
 
   bool wants_events() const {
-    return records_events_ || draws_ || is_seen(DiagramSection::kImpact);
+    return records_events_ || draws_ || statistics_ || is_seen(DiagramSection::kImpact);
   }
   bool wants_samples() const {
-    return records_samples_ || draws_ || is_seen(DiagramSection::kStroboscopic);
+    return records_samples_ || draws_ || statistics_ || is_seen(DiagramSection::kStroboscopic);
   }
 
   // The document's events; empty unless a document is wanted.
   Spool& events() { return events_; }
   // The tables, complete. Empties this.
   std::vector<PendingFile> take_tables();
-  // Fills in what the record shows of events and samples, and the section.
+  // Fills in what the record shows of events and samples, the section and the statistics.
   void show_in(SimulationRecord& record);
 
  private:
@@ -69,6 +69,7 @@ class RunOutput {
   std::deque<Event> last_events_;
   std::deque<Sample> last_samples_;
   std::optional<RunSection> section_;
+  std::optional<StatisticsCollector> statistics_;
   Rate rate_;
   std::size_t most_samples_;
 };

@@ -81,6 +81,8 @@ void show(const ShownChoice& choice, SimulationRecord& record) {
   if (shown == RunPicture::kSpectrum && record.shown != shown)
     refuse_to_show(choice,
                    "kept too little of its motion; run it again with --show spectrum and --plot");
+  if (shown == RunPicture::kPsd && !record.statistics)
+    refuse_to_show(choice, "has no power spectral density; run it again with --statistics");
   if (shown == RunPicture::kShapes && record.shapes.empty())
     refuse_to_show(choice,
                    "kept no shapes; run it again with --show shapes, --shapes-at and --plot");

@@ -53,8 +53,8 @@ SimulationOptions simulation_options(const SimulateCommand& command, const Scene
   // Time is not counted in periods of one load where others do not repeat with it.
   if (!options.duration && !scene.repeats())
     options.duration = static_cast<double>(options.periods) * kTurn / scene.forcing->frequency;
-  if (command.sample_rate && command.record != "samples")
-    throw InputError("--sample-rate: it needs --record samples");
+  if (command.sample_rate && command.record != "samples" && !command.statistics)
+    throw InputError("--sample-rate: it needs --record samples or --statistics");
   if (command.sample_format != "csv" && (command.record != "samples" || command.out.empty()))
     throw InputError("--sample-format: it needs --record samples and --out");
   return options;
@@ -65,6 +65,10 @@ void check_shown(const SimulateCommand& command, const Scene& scene) {
     throw InputError("--show returns: it shows impacts; give --section impact too");
   if (command.show == RunPicture::kSpectrum && command.section)
     throw InputError("--show spectrum: it shows the motion; leave out --section");
+  if (command.show == RunPicture::kPsd && !command.statistics)
+    throw InputError("--show psd: it shows statistics; give --statistics too");
+  if (command.show == RunPicture::kPsd && command.section)
+    throw InputError("--show psd: it shows the motion; leave out --section");
   if ((command.show == RunPicture::kShapes) == command.shape_times.empty())
     throw InputError("--show shapes: it goes with --shapes-at T1,T2,.., and that with it");
   if (command.show == RunPicture::kForces && scene.stops.empty())
@@ -120,9 +124,9 @@ std::optional<MeasureOptions> measure_options(const SimulateCommand& command,
   // A rigid stop that is hit has no force that could be shown as it is.
   const bool shows_means = command.show == RunPicture::kForces && record.system.has_rigid_stop();
   const bool keeps_forces = command.force_windows || shows_means;
-  if (!command.amplitudes && !keeps_forces) {
+  if (!command.measures() && !keeps_forces) {
     if (command.amplitudes_from)
-      throw InputError("--amplitudes-from: it needs --amplitudes or --forces");
+      throw InputError("--amplitudes-from: it needs --amplitudes, --statistics or --forces");
     return {};
   }
   MeasureOptions measure{rows_of(record.places),
@@ -156,11 +160,12 @@ std::optional<RunSection> section_of(const SimulateCommand& command, const Syste
                                      const SimulationOptions& options) {
   if (!command.section) return {};
   if (!system.has_phase())
-    throw InputError("--section: the scene has no forcing with a frequency, so its motion has no phase");
-  if (command.section == DiagramSection::kStroboscopic && command.record == "samples")
     throw InputError(
-        "--section stroboscopic: it takes a sample each forcing period; leave out --record "
-        "samples");
+        "--section: the scene has no forcing with a frequency, so its motion has no phase");
+  if (command.section == DiagramSection::kStroboscopic && command.samples_in_full())
+    throw InputError(
+        fmt::format("--section stroboscopic: it takes a sample each forcing period; leave out {}",
+                    command.statistics ? "--statistics" : "--record samples"));
   const double period = system.first_period(), end = end_of(options, system);
   const double from =
       command.transient ? static_cast<double>(*command.transient) * period : 0.1 * end;
@@ -173,8 +178,8 @@ std::optional<RunSection> section_of(const SimulateCommand& command, const Syste
 
 double sample_rate(const SimulateCommand& command, const System& system,
                    const std::optional<CutRun>& cut) {
-  if (command.section && command.record != "samples") return 1.0 / system.first_period();
-  if (command.record != "samples") {
+  if (command.section && !command.samples_in_full()) return 1.0 / system.first_period();
+  if (!command.samples_in_full()) {
     const double rate = samples_per_period(system, kPictureSamplesPerPeriod);
     // Nothing settles on a hub: the whole run is looked at.
     return system.turns() && command.duration
@@ -190,7 +195,8 @@ double sample_rate(const SimulateCommand& command, const System& system,
 // samples stay what they are to the bit.
 RunOutput::Rate listening_rate(const SimulateCommand& command, const System& system, double rate) {
   RunOutput::Rate made{rate, 1};
-  if (command.plot.empty() || command.section || command.record != "samples") return made;
+  const bool draws = !command.plot.empty() || (command.statistics && !command.out.empty());
+  if (!draws || command.section || !command.samples_in_full()) return made;
   while (made.rate < samples_per_period(system, kPictureSamplesPerPeriod) &&
          made.stride < (1LL << 20)) {
     made.rate *= 2.0;
@@ -199,12 +205,38 @@ RunOutput::Rate listening_rate(const SimulateCommand& command, const System& sys
   return made;
 }
 
+// Of the run, where they were asked for. By default segments have whole forcing periods, whose
+// lines then lie on frequencies of the spectrum; the first covers 2/9 of the time, so that there
+// are eight.
+std::optional<StatisticsCollector> statistics_of(const SimulateCommand& command,
+                                                 const SimulationRecord& record, double from,
+                                                 double end, double rate) {
+  if (!command.statistics) return {};
+  constexpr double kMostSegment = 0x1p20;  // samples
+  const double span = end - from;
+  if (!(span > 0.0))
+    throw InputError("--statistics: nothing of the run is left to be measured, it must end later");
+  if (command.psd_segment && *command.psd_segment > span)
+    throw InputError(
+        fmt::format("--psd-segment: {:g} s are measured; give no more than that", span));
+  if (command.psd_segment && *command.psd_segment * rate > kMostSegment)
+    throw InputError(
+        fmt::format("--psd-segment: a segment would have more than {:.0f} samples; give a shorter "
+                    "one or a lower --sample-rate",
+                    kMostSegment));
+  const double period = 1.0 / samples_per_period(record.system, 1.0);
+  const double periods = std::clamp(std::floor(span / period * 2.0 / 9.0), 1.0, 64.0);
+  const double segment = command.psd_segment.value_or(std::min(periods * period, span));
+  return StatisticsCollector(record.places, record.system.stops.size(), from, rate,
+                             segment_length(std::min(std::round(segment * rate), kMostSegment)));
+}
+
 // With what holds where an option is not given.
 void note_run(SimulateCommand command, const SimulationOptions& options,
               const std::optional<CutRun>& cut, double rate, RunInfo& info) {
   if (!options.duration) command.periods = options.periods;
   command.sample_rate.reset();
-  if (command.record == "samples") command.sample_rate = rate;
+  if (command.samples_in_full()) command.sample_rate = rate;
   command.energy = command.keeps_balance();
   command.amplitudes_from.reset();
   if (options.measure) command.amplitudes_from = options.measure->from;
@@ -251,7 +283,7 @@ Plan planned(const SimulateCommand& command, const Scene& scene, SimulationRecor
   Plan plan{initial_state(scene, system), simulation_options(command, scene), {}, {}, 0.0, {}};
   check_shape_times(command, plan.options, system);
   plan.options.steps = step_choice(scene, system, plan.start);
-  if (command.amplitudes) record.places = measured_places(scene, system);
+  if (command.measures()) record.places = measured_places(scene, system);
   if (!command.resume.empty()) {
     plan.cut = read_cut_run(command, record.info);
     check_end(*plan.cut, plan.options, system);
@@ -269,10 +301,10 @@ Plan planned(const SimulateCommand& command, const Scene& scene, SimulationRecor
   return plan;
 }
 
-// What --resume counts on from: samples of a picture are none to go on with, of a table it has a
-// part of them.
+// What --resume counts on from: samples of a picture are none to go on with, of a table or of
+// statistics it has a part of them.
 void leave_state(const SimulateCommand& command, long long stride, RunState& state) {
-  state.samples = command.record == "samples" ? (state.samples + stride - 1) / stride : 0;
+  state.samples = command.samples_in_full() ? (state.samples + stride - 1) / stride : 0;
 }
 
 }  // namespace
@@ -294,9 +326,13 @@ int run(const SimulateCommand& command) {
     record.notes.push_back(
         "the run before kept no energy balance; it begins where this one goes on");
 
+  const double end = end_of(plan.options, record.system);
+  const double from = plan.options.measure ? plan.options.measure->from : 0.0;
+  std::optional<StatisticsCollector> statistics =
+      statistics_of(command, record, from, end, plan.rate);
   prepare_output(command);
-  RunOutput output(command, record.system, record.probes, std::move(plan.section), plan.listened,
-                   end_of(plan.options, record.system));
+  RunOutput output(command, record.system, record.probes, std::move(plan.section),
+                   std::move(statistics), plan.listened, end);
   record.run = run_listened(record.system, plan.start, plan.cut, plan.options, plan.listened.rate,
                             command, output);
   record.outcome = simulation_outcome(record.run);

@@ -22,8 +22,12 @@ struct SimulateCommand : MotionOptions {
   bool energy = false;                // keep the energy balance
   // A picture of the motion shows the energy balance.
   bool keeps_balance() const { return energy || (!plot.empty() && !section); }
-  bool amplitudes = false;                // measure the motion
+  bool amplitudes = false;  // measure the motion
+  bool statistics = false;  // the same and more, from samples and events
+  bool measures() const { return amplitudes || statistics; }
+  bool samples_in_full() const { return record == "samples" || statistics; }
   std::optional<double> amplitudes_from;  // s
+  std::optional<double> psd_segment;      // s
   std::optional<int> force_windows;       // over which the forces of stops are averaged
   std::string resume;                     // file or folder; empty: from the scene's initial state
   std::optional<DiagramSection> section;
@@ -43,8 +47,8 @@ void describe_run(auto& v, SimulateCommand& o) {
   v.option("record", o.record, "WHAT", "What to keep: none, events or samples",
            Choices{{"none", "events", "samples"}}, kOfResult);
   v.option("sample_rate", o.sample_rate, "RATE",
-           "Samples per second with --record samples (default: 100 a forcing period; without "
-           "forcing, of the slowest mode)",
+           "Samples per second with --record samples or --statistics (default: 100 a forcing "
+           "period; without forcing, of the slowest mode)",
            above_zero(), kOfResult);
   v.option("sample_format", o.sample_format, "WHAT",
            "With --record samples and --out: samples.csv, or samples.npz with an array for NumPy "
@@ -57,9 +61,21 @@ void describe_run(auto& v, SimulateCommand& o) {
   v.flag("amplitudes", o.amplitudes,
          "Measure the motion: largest, smallest and root mean square values at the probes and "
          "stops, forces and impulses of the stops");
+  v.flag(
+      "statistics", o.statistics,
+      "What --amplitudes measures, and of every probe and stop the standard deviation, the levels "
+      "exceeded for shares of the time and the power spectral density; of every stop speeds, "
+      "contacts, work rate and histograms",
+      kOfResult);
   v.option("amplitudes_from", o.amplitudes_from, "S",
-           "With --amplitudes or --forces: time that is measured from, s (default: 0)",
+           "With --amplitudes, --statistics or --forces: time that is measured from, s (default: "
+           "0)",
            at_least("a time in s, 0 or more", 0.0), kOfResult);
+  v.option(
+      "psd_segment", o.psd_segment, "S",
+      "Length of the segments of the power spectral density, s (default: whole forcing periods, "
+      "64 at most, for eight segments or more)",
+      above_zero(), Needs{{"statistics"}}, kOfResult);
   v.option("forces", o.force_windows, "N",
            "Keep the force of every stop over time, of impacts and while it holds, as means over N "
            "equal windows of the run; --out writes them, --show forces draws them",
@@ -84,8 +100,9 @@ void describe(auto& v, SimulateCommand& o) {
   v.heading(kPicturesGroup);
   v.choice("show", o.show, kRunPictures, "WHAT",
            "With --plot: the motion; returns (each impact over the one before, with --section "
-           "impact); spectrum (amplitudes over the frequency, of the last 64 forcing periods); "
-           "shapes (of the beam, with --shapes-at); or forces (of every stop over time)",
+           "impact); spectrum (amplitudes over the frequency, of the last 64 forcing periods); psd "
+           "(power spectral density, with --statistics); shapes (of the beam, with --shapes-at); "
+           "or forces (of every stop over time)",
            Needs{{"plot"}});
   v.option("shapes_at", o.shape_times, "T,..", "With --show shapes: times, s, several with commas",
            at_least("a time in s, 0 or more", 0.0), kWithCommas, Needs{{"show"}});

@@ -15,6 +15,7 @@ def results():
         "simulate": graze.simulate(scene, periods=30, record="samples"),
         "section": graze.simulate(scene, periods=60, section="impact"),
         "forces": graze.simulate(scene, periods=60, forces=20),
+        "statistics": graze.simulate(scene, periods=90, statistics=True, amplitudes_from=10.0),
         "orbit": graze.orbit(scene, impacts=1),
         "continue_": graze.continue_(scene, **over),
         "loci": graze.loci(scene, **over, **plane, slices=1, locus=["PD", "GR"]),
@@ -34,8 +35,8 @@ def results():
 
 
 KINDS = [
-    "simulate", "section", "forces", "orbit", "continue_", "loci", "diagram", "run_diagram", "map",
-    "compare", "compare_map", "sensitivity", "fit", "cost", "modes", "check",
+    "simulate", "section", "forces", "statistics", "orbit", "continue_", "loci", "diagram",
+    "run_diagram", "map", "compare", "compare_map", "sensitivity", "fit", "cost", "modes", "check",
 ]
 
 
@@ -143,3 +144,23 @@ def test_every_colour_of_a_map_is_named():
     named = {patch.get_facecolor() for patch in figure.legends[0].get_patches()}
     assert len(drawn) > 9 and drawn == named
     pyplot.close("all")
+
+
+def test_a_run_has_its_statistics_as_a_dict_and_as_tables(results):
+    motion = results["statistics"]
+    told = motion.statistics
+    place, stop = told["places"][0], told["stops"][0]
+    assert motion.table("statistics")["rms"][0] == place["rms"]
+    assert motion.table("stop_statistics")["work_rate"][0] == stop["work_rate"]
+    assert np.array_equal(motion.table("exceedance")["stop_1"], place["levels"])
+    spectrum = motion.table("psd")
+    assert np.array_equal(spectrum["stop_1"], place["psd"])
+    # Parseval, over segments that do not cover the time evenly.
+    power = spectrum["stop_1"].sum() * spectrum["frequency"][1]
+    assert power == pytest.approx(place["standard_deviation"] ** 2, rel=0.1)
+    impacts = np.isin(motion.events["kind"], ["impact"]) & (motion.events["time"] >= 10.0)
+    assert impacts.sum() == stop["impacts"] == sum(stop["speeds"]["counts"])
+    assert motion.events["speed"][impacts].mean() == pytest.approx(stop["mean_speed"], rel=1e-12)
+    assert motion.plot(show="psd").axes[0].get_yscale() == "log"
+    with pytest.raises(graze.NoSuchName, match="statistics=True"):
+        results["simulate"].statistics

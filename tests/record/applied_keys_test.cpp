@@ -41,6 +41,23 @@ const std::map<std::string, std::string> kOtherwise = {
     {"solver.step", "how the motion is found"},
 };
 
+// Of the loads over time, and of stops that move.
+std::string loads_of(const System& system) {
+  if (!system.forcing()) return "";
+  const HarmonicForcing& forcing = *system.forcing();
+  std::string text = value_text(forcing.frequency) + value_text(forcing.phase) +
+                     value_text(forcing.amplitude) + value_text(forcing.repeats);
+  std::vector<Harmonic> all = forcing.harmonics;
+  all.insert(all.end(), system.modal().carried.begin(), system.modal().carried.end());
+  for (const Harmonic& one : all) {
+    text += value_text(one.order) + value_text(one.cosine) + value_text(one.sine);
+    if (one.timed)
+      text += value_text(one.timed->course->times) + value_text(one.timed->course->values) +
+              value_text(one.timed->course->repeats);
+  }
+  return text;
+}
+
 // All numbers that a scene makes.
 std::string numbers_of(const Scene& scene) {
   const System system = assemble(scene);
@@ -51,8 +68,7 @@ std::string numbers_of(const Scene& scene) {
             value_text(turning->weight) + value_text(turning->torque) +
             value_text(turning->friction);
   else
-    text += value_text(system.modal().delta) + value_text(system.modal().forcing) +
-            value_text(system.modal().load);
+    text += value_text(system.modal().delta) + value_text(system.modal().load) + loads_of(system);
   for (const Stop& stop : system.stops) {
     text += value_text(stop.row) + value_text(stop.gap);
     text += stop.is_compliant()

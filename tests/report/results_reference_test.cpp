@@ -163,6 +163,7 @@ SimulationRecord full_run(const System& system) {
   run.run.amplitudes->stops.resize(1);
   run.run.amplitudes->forces.emplace();
   run.run.amplitudes->forces->means.resize(1);
+  run.statistics.emplace();
   run.section.emplace(DiagramSection::kImpact, 0.0);
   return run;
 }

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, Sequence
+from typing import Any, Dict, Optional, Sequence
 
 import numpy as np
 
@@ -15,13 +15,20 @@ from .table import Table
 class Simulation(Result):
     """A motion, a list of its events. Table "events": time in s, speed in m/s, phase in rad, energy_change
     in J, force in N; with record="samples" also "samples": q in kg^1/2 m, gap in m, force in N; with
-    section= "section", with forces= "forces"."""
+    section= "section", with forces= "forces", with statistics=True "statistics" (a place a row),
+    "stop_statistics", "exceedance" (levels over shares of time), "psd" (unit^2/Hz over Hz) and
+    "histograms"."""
 
     main_table = "events"
     asked_by = {
         "samples": 'record="samples"',
         "section": 'section="impact"',
         "forces": "forces=100",
+        "statistics": "statistics=True",
+        "stop_statistics": "statistics=True",
+        "exceedance": "statistics=True",
+        "psd": "statistics=True",
+        "histograms": "statistics=True",
     }
 
     @property
@@ -34,13 +41,22 @@ class Simulation(Result):
         """The motion at equal times. Raises NoSuchName unless the call had record="samples"."""
         return self.table("samples")
 
+    @property
+    def statistics(self) -> Dict[str, Any]:
+        """Statistics of the run: "places" (mean, rms, standard_deviation, levels, psd, ..) and "stops"
+        (impacts, work_rate in W, ..), with "shares" of time and "frequencies" in Hz. Raises NoSuchName
+        unless the call had statistics=True."""
+        if "statistics" not in self.document:
+            raise self._without("statistics")
+        return self.document["statistics"]
+
     def _list(self) -> Sequence[Any]:
         # A run that was read has left its events in a table of its folder.
         return super()._list() if "events" in self.tables else self._of_document("events")
 
     def plot(self, axes: Any = None, *, show: Optional[str] = None, at: Optional[str] = None) -> Any:
         """The gap of every stop over time with the impacts, or their speeds; or the section, or the forces.
-        `show` chooses: "motion", "section", "returns" (each impact over the one before) or "forces"."""
+        `show` chooses: "motion", "section", "returns" (each impact over the one before), "forces" or "psd"."""
         from .motion_plot import plot_motion
 
         if show is None and at is None:

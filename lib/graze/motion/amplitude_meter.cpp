@@ -227,7 +227,7 @@ void AmplitudeMeter::add_step(const ContactPhase<double>& phase, double theta, d
     contact_forces(system_, phase, rule.at[k], state, force);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const double at = theta + frequency * rule.at[k];
-      rates[i][k] = rows[i].row.dot(state.qdot) + rows[i].carried_rate(at, frequency);
+      rates[i][k] = rows[i].row.dot(state.qdot) + rows[i].carried_rate(at);
       values[i][k] = rows[i].of_velocity ? rates[i][k]
                                          : rows[i].row.dot(state.q) + rows[i].carried_at(at);
     }

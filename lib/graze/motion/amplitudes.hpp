@@ -33,6 +33,12 @@ struct Amplitude {
 
   double largest() const { return std::fmax(std::abs(highest), std::abs(lowest)); }
   double half_range() const { return 0.5 * (highest - lowest); }
+  // The root mean square about the mean. Below a millionth of that about zero it is the rounding of
+  // the two, and told as zero.
+  double standard_deviation() const {
+    const double variance = rms * rms - mean * mean;
+    return variance > 1e-12 * rms * rms ? std::sqrt(variance) : 0.0;
+  }
 };
 
 // The load of one stop.

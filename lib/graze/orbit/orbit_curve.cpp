@@ -56,7 +56,7 @@ std::vector<std::vector<CurveSample>> orbit_curve(const System& system, const Or
       phase.state(seconds * k / count, state.q, state.qdot);
       const double at = theta + turn * k / count;
       flights.back().push_back({at, seen.row.dot(state.q) + seen.carried_at(at),
-                                seen.row.dot(state.qdot) + seen.carried_rate(at, frequency)});
+                                seen.row.dot(state.qdot) + seen.carried_rate(at)});
     }
   };
   const std::vector<bool> begins_at_impact = fly_orbit(system, orbit, listeners);

@@ -15,6 +15,7 @@
 #include "graze/orbit/search/finder.hpp"
 #include "graze/record/file/run_info.hpp"
 #include "graze/record/run_picture.hpp"
+#include "graze/record/run_statistics.hpp"
 #include "graze/record/section.hpp"
 #include "graze/record/shown_quantity.hpp"
 
@@ -72,14 +73,16 @@ struct SimulationRecord {
   std::vector<ProbeRow> probes{};
   std::vector<MeasuredPlace> places{};  // at which it was measured; empty unless requested
   Simulation run;
-  EventExcerpt excerpt;                    // empty unless recorded
-  std::vector<Event> events;               // the end of the run, for pictures
-  std::vector<Sample> samples;             // the end of the run, for pictures
-  std::optional<RunSection> section;       // where it was asked for
-  RunPicture shown = RunPicture::kMotion;  // in a picture
-  std::vector<BeamShape> shapes{};         // at the instants that were asked for
-  std::optional<BeamPlaces> beam{};        // where its shape is shown
-  // Displacements of the masses, or of the rows of matrices in the scene, per modal one; empty else.
+  EventExcerpt excerpt;                       // empty unless recorded
+  std::vector<Event> events;                  // the end of the run, for pictures
+  std::vector<Sample> samples;                // the end of the run, for pictures
+  std::optional<RunSection> section;          // where it was asked for
+  std::optional<RunStatistics> statistics{};  // where they were asked for
+  RunPicture shown = RunPicture::kMotion;     // in a picture
+  std::vector<BeamShape> shapes{};            // at the instants that were asked for
+  std::optional<BeamPlaces> beam{};           // where its shape is shown
+  // Displacements of the masses, or of the rows of matrices in the scene, per modal one; empty
+  // else.
   Matrix coordinates{};
   std::vector<std::string> warnings, notes;
   Outcome outcome;

@@ -10,6 +10,8 @@ const char* name_of(RunPicture picture) {
       return "returns";
     case RunPicture::kSpectrum:
       return "spectrum";
+    case RunPicture::kPsd:
+      return "psd";
     case RunPicture::kShapes:
       return "shapes";
     case RunPicture::kForces:

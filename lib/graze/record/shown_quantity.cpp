@@ -24,6 +24,8 @@ constexpr Description kDescriptions[] = {
     {"half-range", "half range", [](const Amplitude& at) { return Number(at.half_range()); }},
     {"mean", "mean", [](const Amplitude& at) { return Number(at.mean); }},
     {"rms", "root mean square", [](const Amplitude& at) { return Number(at.rms); }},
+    {"standard-deviation", "standard deviation",
+     [](const Amplitude& at) { return Number(at.standard_deviation()); }},
     {"harmonic", "first harmonic",
      [](const Amplitude& at) { return at.harmonic ? Number(std::abs(*at.harmonic)) : Number(); }},
     {"peak-velocity", "largest velocity", [](const Amplitude& at) { return at.speed; }},

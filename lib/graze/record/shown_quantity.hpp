@@ -17,6 +17,7 @@ enum class ShownQuantity {
   kHalfRange,     // half of what it swings
   kMean,          // over time
   kRms,           // root mean square about zero
+  kDeviation,     // root mean square about the mean
   kHarmonic,      // size of the part at the forcing frequency
   kPeakVelocity,  // largest absolute velocity
   kPeakForce,     // of a stop
@@ -32,10 +33,11 @@ struct Shown {
 };
 
 inline constexpr ShownQuantity kShownQuantities[] = {
-    ShownQuantity::kAmplitude, ShownQuantity::kMax,          ShownQuantity::kMin,
-    ShownQuantity::kHalfRange, ShownQuantity::kMean,         ShownQuantity::kRms,
-    ShownQuantity::kHarmonic,  ShownQuantity::kPeakVelocity, ShownQuantity::kPeakForce,
-    ShownQuantity::kRmsForce,  ShownQuantity::kMeanForce,    ShownQuantity::kImpactRate};
+    ShownQuantity::kAmplitude, ShownQuantity::kMax,      ShownQuantity::kMin,
+    ShownQuantity::kHalfRange, ShownQuantity::kMean,     ShownQuantity::kRms,
+    ShownQuantity::kDeviation, ShownQuantity::kHarmonic, ShownQuantity::kPeakVelocity,
+    ShownQuantity::kPeakForce, ShownQuantity::kRmsForce, ShownQuantity::kMeanForce,
+    ShownQuantity::kImpactRate};
 
 const char* name_of(ShownQuantity quantity);  // "peak-velocity"
 bool is_of_stop(ShownQuantity quantity);

@@ -11,7 +11,7 @@ double MeasuredRow::carried_at(double theta) const {
   return sum;
 }
 
-double MeasuredRow::carried_rate(double theta, double frequency) const {
+double MeasuredRow::carried_rate(double theta) const {
   double sum = 0.0;
   for (const Harmonic& one : carried)
     sum += one.order * frequency *
@@ -20,10 +20,11 @@ double MeasuredRow::carried_rate(double theta, double frequency) const {
 }
 
 MeasuredRow measured_row(const System& system, const Vector& row, bool of_velocity) {
-  MeasuredRow seen{row, of_velocity, {}};
-  if (system.carried())
-    for (const Harmonic& one : *system.carried())
-      seen.carried.push_back({one.order, row.dot(one.cosine), row.dot(one.sine)});
+  MeasuredRow seen{row, of_velocity, {}, 0.0};
+  if (!system.carried()) return seen;
+  seen.frequency = system.forcing()->frequency;
+  for (const Harmonic& one : *system.carried())
+    seen.carried.push_back({one.order, row.dot(one.cosine), row.dot(one.sine)});
   return seen;
 }
 

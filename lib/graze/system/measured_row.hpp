@@ -18,10 +18,16 @@ struct MeasuredRow {
   Vector row;
   bool of_velocity = false;
   std::vector<Harmonic> carried{};  // row.c
+  double frequency = 0.0;           // of the forcing, rad/s, where something is carried
 
-  // row.c and row.c' at forcing phase theta (rad), frequency in rad/s.
+  // row.c and row.c' at forcing phase theta, rad.
   double carried_at(double theta) const;
-  double carried_rate(double theta, double frequency) const;
+  double carried_rate(double theta) const;
+  // The quantity, of a state of the system.
+  double value(const State& state, double theta) const {
+    return of_velocity ? row.dot(state.qdot) + carried_rate(theta)
+                       : row.dot(state.q) + carried_at(theta);
+  }
 };
 
 MeasuredRow measured_row(const System& system, const Vector& row, bool of_velocity = false);

@@ -183,6 +183,7 @@ void describe(ResultVisitor& v, const SimulationRecord& record) {
     v.field({"measured_time", "s"}, run.amplitudes->duration);
     if (run.amplitudes->forces) describe_forces(v, *run.amplitudes->forces);
   }
+  if (record.statistics) describe_statistics(v, record);
   if (record.section) describe_points(v, *record.section);
   v.unit("gap", "m");
   for (std::size_t i = 0; i < record.probes.size(); ++i)

@@ -1,83 +1,81 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <complex>
 #include <numbers>
-#include <unsupported/Eigen/FFT>
+#include <utility>
 
+#include "graze/base/spectrum.hpp"
 #include "graze/record/records.hpp"
 #include "graze/report/chart/charts.hpp"
 #include "graze/report/chart/detail/motion_seen.hpp"
-#include "graze/report/chart/spectrum.hpp"
 
 namespace graze {
 
-Spectrum amplitude_spectrum(const std::vector<double>& values, double rate) {
-  Spectrum spectrum;
-  const std::size_t count = values.size();
-  if (count < 4) return spectrum;
-  double mean = 0.0;
-  for (const double value : values) mean += value / static_cast<double>(count);
-  // Hann's window, periodic: a line between two frequencies spreads over four of them.
-  std::vector<double> windowed;
-  for (std::size_t i = 0; i < count; ++i)
-    windowed.push_back((values[i] - mean) * 0.5 *
-                       (1.0 - std::cos(2.0 * std::numbers::pi * static_cast<double>(i) /
-                                       static_cast<double>(count))));
-  std::vector<std::complex<double>> transformed;
-  Eigen::FFT<double> fft;
-  fft.fwd(transformed, windowed);
-  // Twice for the negative frequencies, twice for the window's mean of a half.
-  for (std::size_t k = 1; k < count / 2; ++k) {
-    spectrum.frequency.push_back(rate * static_cast<double>(k) / static_cast<double>(count));
-    spectrum.amplitude.push_back(4.0 * std::abs(transformed[k]) / static_cast<double>(count));
+namespace {
+
+constexpr std::size_t kMostPlaces = 3;
+
+// Values over the frequency, down to a part of the largest, below which they are rounding and
+// leakage of the window. `end`: half the sampling rate, 1/s.
+ChartPanel lines_panel(const SimulationRecord& record, ChartAxis y, double smallest_part,
+                       const std::vector<double>& frequency, const std::vector<double>& values,
+                       double end) {
+  const Units units = record.info.units;
+  y.scale = AxisScale::kLog;
+  ChartPanel panel{
+      {.name = units == Units::kSi ? "frequency" : "frequency / 2π", .unit = unit_in(units, "Hz")},
+      std::move(y)};
+  panel.height = 4.0;
+  if (frequency.empty()) {
+    panel.remark = "too few samples for a spectrum";
+    panel.y.scale = AxisScale::kLinear;
   }
-  return spectrum;
+  // Beyond twenty forcing frequencies a smooth motion has no amplitude, and impacts have little.
+  const auto forcing = record.system.forcing();
+  const double most = forcing ? 20.0 * forcing->frequency / (2.0 * std::numbers::pi) : 0.5 * end;
+  if (!frequency.empty()) panel.x.range = {0.0, std::min(most, frequency.back())};
+  panel.series.push_back({"", {.colour = kBlue, .width = 1.0}, true, false, frequency, values});
+  double largest = 0.0;
+  for (const double value : values) largest = std::max(largest, value);
+  if (largest > 0.0) panel.y.range = {smallest_part * largest, 2.0 * largest};
+  return panel;
 }
+
+}  // namespace
 
 Chart spectrum_chart(const SimulationRecord& record) {
   Chart chart{"Amplitude spectrum", {}};
-  const Units units = record.info.units;
   const std::vector<Sample>& samples = record.samples;
-  const std::vector<SeenPlace> places = places_of(record.system);
   const double rate = samples.size() < 2 ? 0.0
                                          : static_cast<double>(samples.size() - 1) /
                                                (samples.back().time - samples.front().time);
-  constexpr std::size_t kMostPlaces = 3;
-  for (const SeenPlace& place : places) {
+  for (const SeenPlace& place : places_of(record.system)) {
     if (chart.rows.size() == kMostPlaces) break;
     const bool has_stop = !place.stops.empty();
-    ChartPanel panel{
-        {.name = units == Units::kSi ? "frequency" : "frequency / 2π",
-         .unit = unit_in(units, "Hz")},
+    std::vector<double> values;
+    for (const Sample& sample : samples) values.push_back(place.row.dot(sample.state.q));
+    const Spectrum spectrum = amplitude_spectrum(values, rate);
+    chart.rows.push_back({lines_panel(
+        record,
         {.name = !has_stop ? std::string("amplitude of q_1")
                  : record.system.stops.size() > 1
                      ? fmt::format("amplitude\nat stop {}", place.stops.front().index + 1)
                      : "amplitude at the stop",
-         .unit = unit_in(units, has_stop ? "m" : "kg^1/2 m"),
-         .scale = AxisScale::kLog}};
-    panel.height = 4.0;
-    std::vector<double> values;
-    for (const Sample& sample : samples) values.push_back(place.row.dot(sample.state.q));
-    const Spectrum spectrum = amplitude_spectrum(values, rate);
-    if (spectrum.frequency.empty()) {
-      panel.remark = "too few samples for a spectrum";
-      panel.y.scale = AxisScale::kLinear;
-    }
-    // Beyond twenty forcing frequencies a smooth motion has no amplitude, and impacts have little.
-    const auto forcing = record.system.forcing();
-    const double most =
-        forcing ? 20.0 * forcing->frequency / (2.0 * std::numbers::pi) : 0.25 * rate;
-    if (!spectrum.frequency.empty())
-      panel.x.range = {0.0, std::min(most, spectrum.frequency.back())};
-    panel.series.push_back(
-        {"", {.colour = kBlue, .width = 1.0}, true, false, spectrum.frequency, spectrum.amplitude});
-    double largest = 0.0;
-    for (const double amplitude : spectrum.amplitude) largest = std::max(largest, amplitude);
-    // Below this the spectrum is rounding and leakage of the window.
-    if (largest > 0.0) panel.y.range = {1e-6 * largest, 2.0 * largest};
-    chart.rows.push_back({panel});
+         .unit = unit_in(record.info.units, has_stop ? "m" : "kg^1/2 m")},
+        1e-6, spectrum.frequency, spectrum.amplitude, 0.5 * rate)});
+  }
+  return chart;
+}
+
+Chart psd_chart(const SimulationRecord& record) {
+  Chart chart{"Power spectral density", {}};
+  const RunStatistics& statistics = *record.statistics;
+  for (std::size_t i = 0; i < std::min(record.places.size(), kMostPlaces); ++i) {
+    const MeasuredPlace& place = record.places[i];
+    chart.rows.push_back({lines_panel(
+        record, {.name = "PSD at\n" + place.name(), .unit = density_unit(place, record.info.units)},
+        1e-12, statistics.frequencies(), statistics.places[i].density,
+        0.5 * statistics.sample_rate)});
   }
   return chart;
 }

@@ -82,6 +82,8 @@ bool shows_force_means(const SimulationRecord& record);
 
 // Amplitudes over the frequency at the places of the stops, from the samples in the record.
 Chart spectrum_chart(const SimulationRecord& record);
+// The power spectral density at the first places that were measured, of a run with statistics.
+Chart psd_chart(const SimulationRecord& record);
 
 // The recorded samples over time: displacement at every place that has stops (the first four), with
 // the impacts and the phases in which it was stuck; velocity at the first of them; probes; contact

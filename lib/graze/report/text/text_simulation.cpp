@@ -6,6 +6,7 @@
 #include "graze/report/text/detail/sentences.hpp"
 #include "graze/report/text/detail/table.hpp"
 #include "graze/report/text/detail/text_amplitudes.hpp"
+#include "graze/report/text/detail/text_statistics.hpp"
 #include "graze/report/text/detail/text_units.hpp"
 #include "graze/report/text/text.hpp"
 
@@ -102,6 +103,7 @@ std::string to_text(const SimulationRecord& record, const TextOptions& options) 
   if (run.amplitudes)
     text += fmt::format("\nmeasured over {}\n", in.quantity(run.amplitudes->duration, 9, "s")) +
             amplitudes_text(record.places, *run.amplitudes, record.info.units, options);
+  if (record.statistics) text += statistics_text(record, options) + "\n";
   if (run.energy) text += "\n" + energy_text(record.system, *run.energy, in("J"));
   return text + notes_text(record.notes, {}, options) + ending(record.outcome);
 }

@@ -49,6 +49,9 @@ void describe_section(ResultVisitor& v, const Orbit& orbit);
 void describe_amplitudes(ResultVisitor& v, const std::vector<MeasuredPlace>& places,
                          const Amplitudes* measured);
 
+// Statistics of a run that has them.
+void describe_statistics(ResultVisitor& v, const SimulationRecord& record);
+
 // Probes, and axes of maps.
 void describe_probe(ResultVisitor& v, const Probe& probe);
 void describe_axis(ResultVisitor& v, const char* name, const PlaneAxis& axis,
