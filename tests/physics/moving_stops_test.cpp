@@ -179,8 +179,9 @@ TEST(MovingStops, EventsAgreeWithTheReference) {
       ASSERT_LT(k, run.events.size()) << kind;
       const Event& event = run.events[k++];
       EXPECT_NEAR(event.time, number(row, "time"), 1e-11) << kind << " " << k;
-      if (!row.at("speed").empty())
+      if (!row.at("speed").empty()) {
         EXPECT_NEAR(event.speed, number(row, "speed"), 1e-10 * (1.0 + number(row, "speed")));
+      }
       ++compared;
     }
   }

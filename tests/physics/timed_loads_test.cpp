@@ -21,7 +21,7 @@ namespace {
 
 using support::RecordedRun;
 
-const std::string kMass =
+const std::string kOneMass =
     "[lumped]\nmasses = [2]\n[[lumped.spring]]\nbetween = [0, 1]\nstiffness = 18\n";
 
 struct Started {
@@ -56,7 +56,7 @@ void write(const std::filesystem::path& file, const std::string& text) {
 // that puts it to rest at the start.
 TEST(TimedLoads, IncommensurateFrequenciesWithoutContact) {
   const double nu = std::sqrt(5.0);
-  const Started of = started(kMass + fmt::format("[[forcing]]\nmass = 1\namplitude = 2\nfrequency "
+  const Started of = started(kOneMass + fmt::format("[[forcing]]\nmass = 1\namplitude = 2\nfrequency "
                                                  "= 2\n[[forcing]]\nmass = 1\namplitude = 5\n"
                                                  "frequency = {}\nphase = 1\n",
                                                  nu));
@@ -77,7 +77,7 @@ TEST(TimedLoads, AFrequencyOfItsOwnIsThatOfAnOrder) {
                           "[stop.spring]\nstiffness = 300\n",
                           "[stop.spring]\nstiffness = 900\nexponent = 1.5\n"}) {
     SCOPED_TRACE(law);
-    const std::string scene = kMass + "damping = 0.4\n[[forcing]]\nmass = 1\namplitude = 9\n"
+    const std::string scene = kOneMass + "damping = 0.4\n[[forcing]]\nmass = 1\namplitude = 9\n"
                                       "frequency = 2\nphase = 0.2\n[[forcing]]\nmass = 1\n"
                                       "amplitude = 7\nphase = 0.9\n";
     const std::string stop = std::string("[[stop]]\nmass = 1\ngap = 0.1\n") + law;
@@ -108,7 +108,7 @@ TEST(TimedLoads, ASignalIsExactAlongEachOfItsLines) {
   write(folder / "load.csv", "t (ms);force (kN)\n200;0\n500;0,004\n900;-0,002\n1500;0,001\n");
   const double at[] = {0.2, 0.5, 0.9, 1.5}, force[] = {0.0, 4.0, -2.0, 1.0};
   const Started of = started(
-      kMass + "[forcing]\nmass = 1\namplitude = 3\nsignal = { file = \"load.csv\" }\n",
+      kOneMass + "[forcing]\nmass = 1\namplitude = 3\nsignal = { file = \"load.csv\" }\n",
       folder.string());
   Linear motion;
   double t = 0.2;
@@ -126,7 +126,7 @@ TEST(TimedLoads, ARepeatedSignalBeginsAgain) {
   const ScratchFolder folder;
   write(folder / "load.csv", "time,force\n0,1\n0.5,-1\n1.25,2\n");
   const Started of = started(
-      kMass + "[forcing]\nmass = 1\nsignal = { file = \"load.csv\", repeat = true }\n",
+      kOneMass + "[forcing]\nmass = 1\nsignal = { file = \"load.csv\", repeat = true }\n",
       folder.string());
   Linear motion;
   for (int turn = 0; turn < 40; ++turn) {
@@ -143,10 +143,10 @@ TEST(TimedLoads, AnAcceleratedBaseIsAWeight) {
   write(folder / "ground.csv", "time,a\n0,-3\n40,-3\n");
   const std::string stop = "damping = 0.3\n[[stop]]\nmass = 1\ngap = 0.35\nrestitution = 0.8\n";
   const RecordedRun shaken = run_of(
-      started(kMass + stop + "[forcing]\nkind = \"base\"\nsignal = { file = \"ground.csv\" }\n",
+      started(kOneMass + stop + "[forcing]\nkind = \"base\"\nsignal = { file = \"ground.csv\" }\n",
               folder.string()),
       39.0);
-  const RecordedRun heavy = run_of(started(kMass + stop + "[gravity]\nacceleration = 3\n"), 39.0);
+  const RecordedRun heavy = run_of(started(kOneMass + stop + "[gravity]\nacceleration = 3\n"), 39.0);
   ASSERT_GT(heavy.events.size(), 3u);
   ASSERT_EQ(shaken.events.size(), heavy.events.size());
   for (std::size_t i = 0; i < heavy.events.size(); ++i) {
@@ -208,7 +208,7 @@ TEST(TimedLoads, OrbitsUnderARepeatedSignal) {
   const ScratchFolder folder;
   write(folder / "load.csv", "time,force\n0,9\n0.6,-9\n1.5,3\n2.1,9\n");
   const Started of = started(
-      kMass + "damping = 1.5\n[forcing]\nmass = 1\nsignal = { file = \"load.csv\", repeat = "
+      kOneMass + "damping = 1.5\n[forcing]\nmass = 1\nsignal = { file = \"load.csv\", repeat = "
               "true }\n[[stop]]\nmass = 1\ngap = 0.3\nrestitution = 0.7\n",
       folder.string());
   EXPECT_TRUE(of.system.repeats());

@@ -63,14 +63,14 @@ TEST(EventsCsv, EveryKindFillsItsOwnColumns) {
 TEST(SamplesCsv, HoldsStateGapsAndForces) {
   System system = support::oscillator(2.0, 0.0, 0.5, 0.8);
   system.stops.push_back({-Vector::Ones(1), 0.25, ImpactLaw{-Vector::Ones(1), 0.8}});
-  Sample sample{1.5, support::state_of({0.125}, {-2.0}), {0.0, 3.5}, {}};
+  Sample sample{1.5, support::state_of({0.125}, {-2.0}), 0.0, {0.0, 3.5}, {}};
   EXPECT_EQ(samples_csv_header(system, false), "time,q1,qdot1,gap1,gap2,force1,force2\n");
   EXPECT_EQ(samples_csv_row(system, sample), "1.5,0.125,-2,0.375,0.375,0,3.5\n");
 }
 
 TEST(SamplesCsv, HoldsTheEntriesOfTheEnergyBalanceThatTheSystemHas) {
   System system = support::oscillator(2.0, 0.0, 0.5, 0.8);
-  Sample sample{0.0, support::state_of({0.125}, {-2.0}), {0.0}, EnergyBalance{}};
+  Sample sample{0.0, support::state_of({0.125}, {-2.0}), 0.0, {0.0}, EnergyBalance{}};
   sample.energy->now = 2.03125;
   sample.energy->work = {0.5, 0.25, 0.125, 0.75, -0.375};
   sample.energy->impacts = -1.5;
@@ -89,7 +89,7 @@ TEST(SamplesCsv, HoldsTheEntriesOfTheEnergyBalanceThatTheSystemHas) {
 
 TEST(SamplesCsv, EndsWithTheProbes) {
   const System system = support::oscillator(2.0, 0.0, 0.5, 0.8);
-  Sample sample{0.5, support::state_of({0.125}, {-2.0}), {0.0}, EnergyBalance{}};
+  Sample sample{0.5, support::state_of({0.125}, {-2.0}), 0.0, {0.0}, EnergyBalance{}};
   const std::vector<ProbeRow> probes = {
       {ProbeQuantity::kDisplacement, Vector::Constant(1, 4.0), false, 0.0},
       {ProbeQuantity::kVelocity, Vector::Constant(1, 0.25), true, 0.0}};

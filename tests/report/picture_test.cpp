@@ -38,7 +38,7 @@ SimulationRecord record_of(int first, int last, const std::vector<double>& force
   while (record.system.stops.size() < forces.size())
     record.system.stops.push_back(record.system.stops[0]);
   for (int t = first; t <= last; ++t)
-    record.samples.push_back({static_cast<double>(t), support::rest(record.system), forces, {}});
+    record.samples.push_back({static_cast<double>(t), support::rest(record.system), 0.0, forces, {}});
   record.run.end_time = last;
   record.run.final = support::rest(record.system);
   record.run.forces = forces;

@@ -187,8 +187,11 @@ State seen_from_stops(const System& system, const State& structure) {
   for (const Stop& stop : system.stops) {
     double size = std::abs(stop.gap) + stop.row.cwiseAbs().dot(structure.q.cwiseAbs());
     for (const Harmonic& one : *system.carried()) size += std::abs(stop.row.dot(one.at(phase)));
-    const double gap = stop.gap - stop.row.dot(state.q);
-    if (std::abs(gap) <= kRoundings * size) state.q += gap / stop.row.squaredNorm() * stop.row;
+    if (!(std::abs(stop.gap - stop.row.dot(state.q)) <= kRoundings * size)) continue;
+    Eigen::Index most = 0;
+    stop.row.cwiseAbs().maxCoeff(&most);
+    state.q[most] = 0.0;
+    state.q[most] = (stop.gap - stop.row.dot(state.q)) / stop.row[most];
   }
   return state;
 }

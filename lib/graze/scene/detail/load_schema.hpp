@@ -58,7 +58,7 @@ void describe(auto& v, Of<SignalSource> auto& signal, const Scene&) {
                              .or_else())
                .or_else(),
            signal.sides, kSpectrumSides);
-  v.count(with_spectrum(Key{"seed", "", kSeed, "another one draws other phases"}).or_else(),
+  v.count(with_spectrum(Key{"seed", "", kSeed, "another one draws other phases"}).or_else("1"),
           signal.seed);
   v.number(with_spectrum(Key{"duration", "s", kPositive,
                              "of the course that is drawn, whose frequencies are multiples of 1 "
