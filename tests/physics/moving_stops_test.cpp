@@ -265,6 +265,25 @@ TEST(MovingStops, AStopThatFollowsTheStructureIsNotMet) {
   EXPECT_NEAR(*run.result.totals.smallest_gap, 0.01, 1e-14);
 }
 
+// One mass cannot follow a wall that moves and one that does not.
+TEST(MovingStops, ThatContradictEachOtherAreRefused) {
+  const Scene scene = parse_scene(
+      "[lumped]\nmasses = [1]\n[[lumped.spring]]\nbetween = [0, 1]\nstiffness = 9\n"
+      "[forcing]\nkind = \"none\"\nfrequency = 2\n"
+      "[[stop]]\nmass = 1\ngap = 0.5\nrestitution = 0.5\n"
+      "[[stop]]\nmass = 1\ngap = 0.5\nside = \"below\"\nrestitution = 0.5\n"
+      "[stop.motion]\namplitude = 0.1\n",
+      "walls.toml");
+  try {
+    assemble(scene);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("stop 2 moves otherwise than the 1 mode can"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 // In the frame of a stop a shaken wall and a shaken mass are one: the same relative motion.
 TEST(MovingStops, AMovingStopIsAMovingBaseSeenFromTheStop) {
   const char* structure =

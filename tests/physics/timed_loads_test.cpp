@@ -187,11 +187,11 @@ TEST(TimedLoads, SupportsThatMoveTogetherAreTheBase) {
   const std::string moves = fmt::format("amplitude = {}\nphase = -1.5707963267948966\n", size);
   const Started base = started(
       masses + "[forcing]\nkind = \"base\"\nfrequency = 3.7\n" + moves +
-      "[[stop]]\nmass = 1\nagainst = 2\ngap = 0.1\nrestitution = 0.6\n");
+      "[[stop]]\nmass = 1\nagainst = 2\ngap = 0.02\nrestitution = 0.6\n");
   const Started supports = started(
       masses + "[[forcing]]\nkind = \"support\"\nmass = 1\nfrequency = 3.7\n" + moves +
       "[[forcing]]\nkind = \"support\"\nmass = 2\n" + moves +
-      "[[stop]]\nmass = 1\nagainst = 2\ngap = 0.1\nrestitution = 0.6\n" +
+      "[[stop]]\nmass = 1\nagainst = 2\ngap = 0.02\nrestitution = 0.6\n" +
       fmt::format("[initial]\nvelocity = [{0}, {0}]\n", size * w));
   const RecordedRun from_base = run_of(base, 15.0), from_ground = run_of(supports, 15.0);
   ASSERT_GT(from_base.events.size(), 5u);

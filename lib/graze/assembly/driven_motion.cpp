@@ -6,9 +6,11 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/scene/detail/table_paths.hpp"
+#include "graze/scene/discrete_matrices.hpp"
 
 namespace graze {
 namespace {
@@ -97,22 +99,27 @@ class DriveSum {
            const ModalModel* rate)
       : scene_(scene), direction_(direction), model_(model), rate_(rate) {
     common_ = scene.common_order();
-    const HarmonicLoad& first = *scene.harmonic_loads().front();
+    const HarmonicLoad& first = *scene.forcing;
     const double order = order_of(first);
     frequency_ = {scene.forcing->frequency, direction ? direction->forcing->frequency : 0.0};
     phase_ = {first.phase / order, direction ? direction->forcing->phase / order : 0.0};
-    sum_.value.forcing = {common_ * frequency_.value, phase_.value, none(), {}};
-    sum_.rate.forcing = {common_ * frequency_.rate, phase_.rate, none(), {}};
+    sum_.value.forcing = {common_ * frequency_.value, phase_.value, {}, {}};
+    sum_.rate.forcing = {common_ * frequency_.rate, phase_.rate, {}, {}};
     sum_.value.forcing.repeats = sum_.rate.forcing.repeats = scene.repeats();
     sum_.value.forcing.has_phase = sum_.rate.forcing.has_phase = !first.signal || scene.repeats();
-    const std::vector<const HarmonicLoad*> loads = scene.harmonic_loads();
-    for (std::size_t k = 0; k < loads.size(); ++k) add_load(k);
-    if (scene.has_moving_stop()) add_carried();
+    moves_ = scene.has_moving_stop();
+    for (std::size_t k = 0; k <= scene.further.size(); ++k) add_load(k);
+    if (moves_) add_carried();
+    for (DrivenMotion* part : {&sum_.value, &sum_.rate})
+      if (part->forcing.amplitude.size() == 0) part->forcing.amplitude = none();
   }
 
   Rated<DrivenMotion> sum() && { return std::move(sum_); }
 
  private:
+  static const HarmonicLoad& load_of(const Scene& scene, std::size_t k) {
+    return k == 0 ? *scene.forcing : scene.further[k - 1];
+  }
   Vector none() const { return Vector::Zero(model_.omega.size()); }
   double order_of(const std::optional<double>& order) const {
     return std::round(order.value_or(1.0) / common_);
@@ -154,8 +161,8 @@ class DriveSum {
   }
 
   void add_load(std::size_t k) {
-    const HarmonicLoad& load = *scene_.harmonic_loads()[k];
-    const HarmonicLoad* moved = direction_ ? direction_->harmonic_loads()[k] : nullptr;
+    const HarmonicLoad& load = load_of(scene_, k);
+    const HarmonicLoad* moved = direction_ ? &load_of(*direction_, k) : nullptr;
     if (load.signal) return add_signal(load, model_.participations[k]);
     const double order = order_of(load);
     // A moving clamp accelerates by the square of its frequency times its amplitude.
@@ -165,7 +172,7 @@ class DriveSum {
     const double factor = is_base ? frequency * frequency : 1.0;
     const Vector& on = model_.participations[k];
     if (load.kind == ForcingKind::kSupport) return add_support(load, moved, order, k);
-    Rated<Vector> force{load.amplitude * factor * on, none()};
+    Rated<Vector> force{load.amplitude * factor * on, {}};
     if (moved) {
       const double factor_rate =
           is_base ? 2.0 * frequency * turns * frequency_.rate * load.amplitude : 0.0;
@@ -173,11 +180,12 @@ class DriveSum {
                    load.amplitude * factor * rate_->participations[k];
     }
     // Beside stops that move it is a harmonic like the others, so that what they cancel is gone.
-    if (k == 0 && order == 1.0 && !scene_.has_moving_stop()) {
-      sum_.value.forcing.amplitude = force.value;
-      sum_.rate.forcing.amplitude = force.rate;
+    if (k == 0 && order == 1.0 && !moves_) {
+      sum_.value.forcing.amplitude = std::move(force.value);
+      sum_.rate.forcing.amplitude = std::move(force.rate);
       return;
     }
+    if (!moved) force.rate = none();
     add(turned(order, force, load.phase, moved ? moved->phase : 0.0), sum_.value.forcing.harmonics,
         sum_.rate.forcing.harmonics);
   }
@@ -186,9 +194,9 @@ class DriveSum {
   void add_support(const HarmonicLoad& load, const HarmonicLoad* moved, double order,
                    std::size_t k) {
     const Rated<double> frequency = frequency_of(order);
-    const std::array<double, 2> springs = scene_.support_of(load);
+    const std::array<double, 2> springs = support_of(scene_, load);
     const std::array<double, 2> rates =
-        moved ? direction_->support_of(load) : std::array<double, 2>{};
+        moved ? support_of(*direction_, load) : std::array<double, 2>{};
     const Rated<double> factors[] = {
         {springs[0], rates[0]},
         {frequency.value * springs[1], frequency.rate * springs[1] + frequency.value * rates[1]}};
@@ -208,7 +216,7 @@ class DriveSum {
   // A clamp that is accelerated leaves the structure behind.
   void add_signal(const HarmonicLoad& load, const Vector& on) {
     const double sign = load.kind == ForcingKind::kBase      ? -1.0
-                        : load.kind == ForcingKind::kSupport ? scene_.support_of(load)[0]
+                        : load.kind == ForcingKind::kSupport ? support_of(scene_, load)[0]
                                                              : 1.0;
     const HarmonicForcing& forcing = sum_.value.forcing;
     const Harmonic::Timed timed{load.signal->course, forcing.frequency, forcing.phase};
@@ -325,6 +333,7 @@ class DriveSum {
   const ModalModel& model_;
   const ModalModel* rate_;
   double common_ = 1.0;
+  bool moves_ = false;  // a stop does
   Rated<double> frequency_{}, phase_{};
   Rated<DrivenMotion> sum_;
 };

@@ -13,6 +13,12 @@ double mechanical_energy(const System& system, const Vector& q, const Vector& qd
   return energy + 0.5 * added_inertia(*system.rotation(), q) * rate * rate;
 }
 
+double structure_energy(const System& system, const State& state, double theta) {
+  if (!system.carried()) return mechanical_energy(system, state.q, state.qdot);
+  const State own = structure_state(system, state, theta);
+  return mechanical_energy(system, own.q, own.qdot);
+}
+
 double kinetic_change(const System& system, const Vector& q, const Vector& before,
                       const Vector& after) {
   const double change = 0.5 * (after - before).dot(after + before);
@@ -55,6 +61,13 @@ void impact_energy(const System& system, const std::vector<ImpactShare<double>>&
             [](const auto& a, const auto& b) { return a.share.stop < b.share.stop; });
 }
 
+void add_impact_work(const System& system, double theta, const Vector& before, const Vector& after,
+                     Work& work) {
+  if (!system.carried()) return;
+  const Vector place = Vector::Zero(before.size());
+  add_carried_jump(system, theta, {place, before}, {place, after}, work);
+}
+
 double energy_change(const System& system, const State& before, const State& after) {
   const Vector from = system.omega.cwiseProduct(before.q), to = system.omega.cwiseProduct(after.q);
   return kinetic_change(system, before.q, before.qdot, after.qdot) +
@@ -76,6 +89,7 @@ Work operator+(const Work& a, const Work& b) {
 
 double closure_energy_change(const System& system, const std::vector<int>& closed, double theta,
                              const State& before, const State& after, Work& work) {
+  if (system.carried()) add_carried_jump(system, theta, before, after, work);
   if (system.turns()) return energy_change(system, before, after);
   const Stop& only = system.stops[static_cast<std::size_t>(closed.front())];
   if (closed.size() == 1) return impact_energy_change(only.row, only.direction(), before.qdot, 0.0);

@@ -27,8 +27,7 @@ bool Sampler::hand_out(Motion<double>& motion, double theta, double start_time, 
     if (energy_) {
       sample.energy = balance;
       sample.energy->work = balance.work + work_along(system_, phase, s, theta);
-      const State own = structure_state(system_, sample.state, sample.phase);
-      sample.energy->now = mechanical_energy(system_, own.q, own.qdot);
+      sample.energy->now = structure_energy(system_, sample.state, sample.phase);
     }
     listeners_.sample(sample);
     ++samples;

@@ -35,9 +35,9 @@ class Run {
         sampler_(system, listeners, options.energy),
         meter_(system, options.measure) {
     motion_.stop_on(options.stop);
-    note_gaps();
+    if (!state_.started) note_gaps();  // else they are known
     if (options.energy && !state_.keeps_balance)
-      state_.balance = {energy_of({motion_.q(), motion_.qdot()}, phase()), 0.0, {}, 0.0};
+      state_.balance = {structure_energy(system_, {motion_.q(), motion_.qdot()}, phase()), 0.0, {}, 0.0};
     state_.keeps_balance = options.energy;
   }
 
@@ -58,7 +58,7 @@ class Run {
     result_.totals = state_.totals;
     result_.evaluations += motion_.step_evaluations();
     if (options_.energy) {
-      state_.balance.now = energy_of(result_.final, result_.phase);
+      state_.balance.now = structure_energy(system_, result_.final, result_.phase);
       result_.energy = state_.balance;
     }
     result_.amplitudes = meter_.result();
@@ -233,12 +233,7 @@ class Run {
     return false;
   }
 
-  // Of the forcing now, rad.
-  double phase() const { return motion_.flow().phase(motion_.instant()); }
-  double energy_of(const State& state, double theta) const {
-    const State own = structure_state(system_, state, theta);
-    return mechanical_energy(system_, own.q, own.qdot);
-  }
+  double phase() const { return motion_.flow().phase(motion_.instant()); }  // of the forcing, rad
 
   Event event_at(EventKind kind, int i) const {
     return {kind, time(), motion_.instant().period, i};
@@ -267,8 +262,7 @@ class Run {
     impact_energy(system_, walk_.shares(), motion_.q(), walk_.qdot_before(), motion_.qdot(),
                   impact_energy_);
     enter_energy(impact_energy_.total);
-    add_carried_jump(system_, phase(), {motion_.q(), walk_.qdot_before()},
-                     {motion_.q(), motion_.qdot()}, state_.balance.work);
+    add_impact_work(system_, phase(), walk_.qdot_before(), motion_.qdot(), state_.balance.work);
     meter_.add_impact(walk_.shares(), time());
     for (const ImpactEnergy::Hit& hit : impact_energy_.hits) enter_hit(hit.share, hit.change);
   }
@@ -296,15 +290,10 @@ class Run {
 
   // `below` the surface the spring keeps the energy that it may give back if it grips again.
   void enter_separation(int i, bool below) {
-    SpringContact& contact = contact_at(i);
     Event event = event_at(EventKind::kSeparation, i);
     event.speed = -motion_.approach_speed(i);
-    event.duration = event.time - contact.since;
-    event.peak_force = contact.peak_force;
-    event.energy_change = contact.change(motion_.spring_energy(i));
-    contact.change_before += event.energy_change;
+    end_contact(contact_at(i), motion_.spring_energy(i), event);
     if (!below) enter_contacts(i);
-    if (contact.speed > 0.0) event.effective_restitution = event.speed / contact.speed;
     emit(event);
   }
 
@@ -317,11 +306,10 @@ class Run {
 
   void enter_chatter() {
     const std::vector<ImpactShare<double>>& shares = walk_.shares();
-    const State before{walk_.closed().q_before, walk_.closed().qdot_before};
-    const State after{motion_.q(), motion_.qdot()};
-    const double change = closure_energy_change(system_, walk_.closed().closed, phase(), before,
-                                                after, state_.balance.work);
-    add_carried_jump(system_, phase(), before, after, state_.balance.work);
+    const double change = closure_energy_change(
+        system_, walk_.closed().closed, phase(),
+        {walk_.closed().q_before, walk_.closed().qdot_before}, {motion_.q(), motion_.qdot()},
+        state_.balance.work);
     enter_energy(change);
     meter_.add_closure(walk_.closed().closed, walk_.closed().qdot_before - motion_.qdot(), time());
     const auto last =

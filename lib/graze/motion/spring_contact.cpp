@@ -25,6 +25,14 @@ double follow_steps(SpringContacts& contacts, const std::vector<int>& loaded, St
 
 }  // namespace
 
+void end_contact(SpringContact& contact, double stored, Event& event) {
+  event.duration = event.time - contact.since;
+  event.peak_force = contact.peak_force;
+  event.energy_change = contact.change(stored);
+  contact.change_before += event.energy_change;
+  if (contact.speed > 0.0) event.effective_restitution = event.speed / contact.speed;
+}
+
 double follow(SpringContacts& contacts, const ContactPhase<double>& phase, double flight) {
   const std::vector<int>& loaded = phase.springs().loaded;
   if (loaded.empty()) return 0.0;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "graze/flow/exact/instant.hpp"
+#include "graze/motion/run_events.hpp"
 
 namespace graze {
 
@@ -22,6 +23,9 @@ struct SpringContact {
   // undamped spring it is exactly zero from surface to surface.
   double change(double stored) const { return held - stored - lost; }
 };
+
+// Tells by the event of a separation what the contact was, while the spring holds `stored`, J.
+void end_contact(SpringContact& contact, double stored, Event& event);
 
 // One for each stop.
 using SpringContacts = std::vector<SpringContact>;

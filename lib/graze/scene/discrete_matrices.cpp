@@ -146,6 +146,20 @@ std::optional<int> mass_named(const LumpedStructure& lumped, const std::string& 
   return number - 1;
 }
 
+std::array<double, 2> support_of(const Scene& scene, const HarmonicLoad& load) {
+  const LumpedStructure& lumped = *scene.lumped();
+  std::array<double, 2> sums{};
+  const std::optional<int> mass = mass_named(lumped, load.at.node);
+  for (const LumpedSpring& spring : lumped.springs) {
+    const std::optional<int> first = mass_named(lumped, spring.between[0]),
+                             second = mass_named(lumped, spring.between[1]);
+    if (!(first == mass && second == -1) && !(first == -1 && second == mass)) continue;
+    sums[0] += spring.stiffness;
+    sums[1] += spring.damping;
+  }
+  return sums;
+}
+
 std::string mass_refusal(const LumpedStructure& lumped, const std::string& text,
                          bool may_be_ground) {
   const std::string meant = closest_name(text, lumped.names);

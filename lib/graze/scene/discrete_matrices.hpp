@@ -2,6 +2,7 @@
 // by row.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -25,6 +26,9 @@ DiscreteMatrices discrete_matrices(const Scene& scene);
 // The mass that a text names, from 0: its number, from 1, or its name; -1: the ground, "0" or
 // "ground". Returns nullopt where there is none of that name.
 std::optional<int> mass_named(const LumpedStructure& lumped, const std::string& text);
+// The springs and dashpots between the ground and the mass of a load of the kind "support", N/m and
+// N s/m; of a direction of the scene, what these move by.
+std::array<double, 2> support_of(const Scene& scene, const HarmonicLoad& load);
 
 // The sentence about a text that names none.
 std::string mass_refusal(const LumpedStructure& lumped, const std::string& text,

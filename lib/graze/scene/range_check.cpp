@@ -89,6 +89,7 @@ class RangeChecker : public SchemaVisitor {
     return key.applies;
   }
   void check_list(const TableKey& key, std::size_t before, const auto& values) const {
+    if (values.empty()) return;
     const std::string list = joined_path(path_, key.name);
     for (const auto& value : values) descend(numbered_path(list, ++before), value);
   }

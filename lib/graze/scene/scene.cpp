@@ -8,7 +8,6 @@
 #include <type_traits>
 
 #include "graze/scene/detail/table_paths.hpp"
-#include "graze/scene/discrete_matrices.hpp"
 
 namespace graze {
 
@@ -26,13 +25,13 @@ std::vector<const HarmonicLoad*> Scene::harmonic_loads() const {
 }
 
 bool Scene::has_load(ForcingKind kind) const {
-  const std::vector<const HarmonicLoad*> list = harmonic_loads();
-  return std::any_of(list.begin(), list.end(),
-                     [&](const HarmonicLoad* load) { return load->kind == kind; });
+  const auto is_it = [&](const HarmonicLoad& load) { return load.kind == kind; };
+  return forcing && (is_it(*forcing) || std::any_of(further.begin(), further.end(), is_it));
 }
 
 // A signal that stands first and repeats has a period, which further ones may have, too.
 bool Scene::repeats() const {
+  if (forcing && further.empty() && !forcing->signal) return true;
   const std::vector<const HarmonicLoad*> list = harmonic_loads();
   const auto length = [](const HarmonicLoad& load) {
     const SignalSource& signal = *load.signal;
@@ -42,19 +41,6 @@ bool Scene::repeats() const {
            if (!load->signal) return !load->own;
            return forcing->signal && length(*load) > 0.0 && length(*load) == length(*forcing);
          });
-}
-
-std::array<double, 2> Scene::support_of(const HarmonicLoad& load) const {
-  std::array<double, 2> sums{};
-  const std::optional<int> mass = mass_named(*lumped(), load.at.node);
-  for (const LumpedSpring& spring : lumped()->springs) {
-    const std::optional<int> first = mass_named(*lumped(), spring.between[0]),
-                             second = mass_named(*lumped(), spring.between[1]);
-    if (!(first == mass && second == -1) && !(first == -1 && second == mass)) continue;
-    sums[0] += spring.stiffness;
-    sums[1] += spring.damping;
-  }
-  return sums;
 }
 
 std::vector<StopMotion> Scene::motion_of(const SceneStop& stop) const {
@@ -67,8 +53,11 @@ std::vector<StopMotion> Scene::motion_of(const SceneStop& stop) const {
 }
 
 bool Scene::has_moving_stop() const {
-  return std::any_of(stops.begin(), stops.end(),
-                     [&](const SceneStop& stop) { return !motion_of(stop).empty(); });
+  const bool is_shaken = has_load(ForcingKind::kBase);
+  return std::any_of(stops.begin(), stops.end(), [&](const SceneStop& stop) {
+    return !stop.motion.empty() ||
+           (is_shaken && stop.frame == StopFrame::kSpace && !motion_of(stop).empty());
+  });
 }
 
 double Scene::common_order() const {
@@ -76,6 +65,9 @@ double Scene::common_order() const {
   constexpr int kLargestDenominator = 64;
   // Of a ratio as it is written: 0.3333333333 is a third.
   constexpr double kWritten = 1e-9;
+  const auto moves = [](const SceneStop& stop) { return !stop.motion.empty(); };
+  const bool is_alone = further.empty() && std::none_of(stops.begin(), stops.end(), moves);
+  if (is_alone && forcing && !forcing->signal && !forcing->order) return 1.0;
   std::vector<double> orders;
   for (const HarmonicLoad* load : harmonic_loads())
     if (!load->own && !load->signal) orders.push_back(load->order.value_or(1.0));

@@ -13,11 +13,11 @@
 #include "graze/base/angle.hpp"
 #include "graze/base/defaults.hpp"
 #include "graze/base/errors.hpp"
+#include "graze/base/time_course.hpp"
 #include "graze/base/units.hpp"
 #include "graze/contact/contact_force.hpp"
 #include "graze/contact/hertz_stiffness.hpp"
 #include "graze/scene/structures.hpp"
-#include "graze/system/time_course.hpp"
 
 namespace graze {
 
@@ -292,9 +292,6 @@ struct Scene {
   bool has_load(ForcingKind kind) const;
   // Whether loads have a common period: all are harmonics of the first one's frequency.
   bool repeats() const;
-  // The springs and dashpots between the ground and the mass of a load of the kind "support", N/m and
-  // N s/m; of a direction of the scene, what these move by.
-  std::array<double, 2> support_of(const HarmonicLoad& load) const;
   // How a stop moves relative to the clamp, in the order of its terms and then of the loads.
   std::vector<StopMotion> motion_of(const SceneStop& stop) const;
   bool has_moving_stop() const;

@@ -18,12 +18,12 @@
 #include <vector>
 
 #include "graze/base/angle.hpp"
+#include "graze/base/time_course.hpp"
 #include "graze/base/units.hpp"
 #include "graze/base/vector.hpp"
 #include "graze/contact/contact_force.hpp"
 #include "graze/contact/restitution.hpp"
 #include "graze/system/rotation.hpp"
-#include "graze/system/time_course.hpp"
 
 namespace graze {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "graze/flow/held/detail/structure_forms.hpp"
 #include "graze/flow/stepped/detail/step_methods.hpp"
-#include "graze/flow/variation/detail/carried_work.hpp"
 #include "graze/system/detail/gap_value.hpp"
 
 namespace graze {

@@ -11,6 +11,8 @@
 namespace graze {
 
 double mechanical_energy(const System& system, const Vector& q, const Vector& qdot);
+// That of the structure itself, where the system is in this state at forcing phase theta, rad.
+double structure_energy(const System& system, const State& state, double theta);
 // Change of the kinetic energy by a jump of the velocities at q, J.
 double kinetic_change(const System& system, const Vector& q, const Vector& before,
                       const Vector& after);
@@ -29,6 +31,10 @@ struct ImpactEnergy {
 void impact_energy(const System& system, const std::vector<ImpactShare<double>>& shares,
                    const Vector& q, const Vector& before, const Vector& after,
                    ImpactEnergy& energy);
+
+// Adds the work of stops that move, as an impact at forcing phase theta (rad) changes velocities.
+void add_impact_work(const System& system, double theta, const Vector& before, const Vector& after,
+                     Work& work);
 
 // Change of the mechanical energy by a sudden change of the state, and the work of the forces at
 // forcing phase theta (rad) along its displacement; J.

@@ -186,7 +186,10 @@ Real Motion<Real>::approach_speed(int i) const {
 
 template <class Real>
 const ArcCurve<Real>& Motion<Real>::gap_ahead(int i, const Real& window) {
-  return start_phase().exact()->gap(i, window, contact(i) != Contact::kClear);
+  const ContactPhase<Real>& phase = start_phase();
+  // No flight goes beyond, wherever a run is cut.
+  const Real ahead = std::min(window, Real(phase.longest_flight()));
+  return phase.exact()->gap(i, ahead, contact(i) != Contact::kClear);
 }
 
 template <class Real>

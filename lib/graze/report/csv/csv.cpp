@@ -104,7 +104,9 @@ std::size_t sample_numbers(const System& system, const Sample& sample,
 double* write_sample_row(const System& system, const Sample& sample,
                          const std::vector<ProbeRow>& probes, double* row) {
   const auto add = [&](const std::optional<double>& value) { *row++ = value.value_or(NAN); };
-  const State own = structure_state(system, sample.state, sample.phase);
+  State carried;
+  if (system.carried()) carried = structure_state(system, sample.state, sample.phase);
+  const State& own = system.carried() ? carried : sample.state;
   const auto add_state = [&](const State& state) {
     row = std::copy(state.q.begin(), state.q.end(), row);
     row = std::copy(state.qdot.begin(), state.qdot.end(), row);

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "graze/system/time_course.hpp"
+#include "graze/base/time_course.hpp"
 
 namespace graze {
 

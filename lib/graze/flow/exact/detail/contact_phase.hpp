@@ -175,7 +175,6 @@ class ContactPhase {
   // Its integrator; null where the closed form is used.
   virtual StepFlow* stepped() const { return nullptr; }
 
- protected:
   // Longest flight without a cut, s; finite only with matrix exponentials, and with a torque up to
   // its next jump or kink.
   virtual Real longest_flight() const { return std::numeric_limits<Real>::infinity(); }

@@ -100,8 +100,7 @@ class Sprung {
   double quickest() const {
     return system_.turning ? 0.0 : std::fmax(largest_of(scale_), system_.frequency);
   }
-
-  // The terms of the right-hand side, for series expansions; on a rotating hub there are more.
+  // For series expansions; on a rotating hub the right-hand side has more terms.
   const SprungSystem& system() const { return system_; }
   const Contact& contact(std::size_t spring) const { return contacts_[spring]; }
   Eigen::Index modes() const { return system_.load.size(); }

@@ -101,7 +101,7 @@ struct SprungSystem {
     Matrix by_place{}, by_rate{};
     std::vector<Holding> held;
   };
-  // Where stops move: the velocity V of the structure itself and the loads on it (carried_work.hpp),
+  // Where stops move: the velocity V of the structure itself and the loads on it (structure_forms.hpp),
   // the damping it meets, the rows of springs on it, and closed stops against it. What stops do by
   // moving counts as work of constraints.
   struct Moving {

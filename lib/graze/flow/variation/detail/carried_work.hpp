@@ -3,24 +3,16 @@
 #pragma once
 
 #include "graze/flow/held/detail/coupled_phase.hpp"
-#include "graze/flow/variation/arc_work.hpp"
+#include "graze/flow/variation/work.hpp"
 
 namespace graze {
-
-// Its velocity and the loads on it, both as forms in the coordinates y of a phase and their rates,
-// N x m: place y + rate y'. Of the load that is the first harmonic only the amplitude is given.
-struct StructureForms {
-  Matrix place, rate;
-  Vector forcing;
-  Matrix force_place, force_rate;
-};
-StructureForms structure_forms(const System& system, const ConstrainedStructure<double>& structure);
 
 // Adds the works along the phase's arc over s seconds, but that of the constant load.
 void add_carried_work(const System& system, const ExactPhase<double>& phase, double s, Work& work);
 
 // The work of the constant load and of stops, as the structure jumps from one state of the system to
-// another at forcing phase theta, beside what the system sees of it.
+// another at forcing phase theta, beside what the system sees of it. Requires
+// stops that move.
 void add_carried_jump(const System& system, double theta, const State& before, const State& after,
                       Work& work);
 

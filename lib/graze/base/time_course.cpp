@@ -1,4 +1,4 @@
-#include "graze/system/time_course.hpp"
+#include "graze/base/time_course.hpp"
 
 #include <algorithm>
 #include <cmath>
