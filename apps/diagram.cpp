@@ -33,9 +33,10 @@ SweepOptions sweep_options(const DiagramCommand& command, const StopSignal& stop
 
 // Who names period or impacts means all such orbits.
 DiagramBranches wanted_branches(const DiagramCommand& command, const Scene& scene) {
-  if (has_signal(scene) && command.branches.value_or(DiagramBranches::kNone) != DiagramBranches::kNone)
-    require_harmonics(scene);
-  if (has_signal(scene)) return DiagramBranches::kNone;
+  if (has_signal(scene)) {
+    if (command.branches && *command.branches != DiagramBranches::kNone) require_harmonics(scene);
+    return DiagramBranches::kNone;
+  }
   const bool names_them = command.period_given || command.impacts;
   const DiagramBranches other = names_them ? DiagramBranches::kAll : DiagramBranches::kFound;
   const DiagramBranches wanted = command.branches.value_or(other);

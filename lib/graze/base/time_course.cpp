@@ -3,8 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace graze {
+
+TimeCourse::TimeCourse(std::vector<double> given_times, std::vector<double> given_values,
+                       bool does_repeat)
+    : times(std::move(given_times)), values(std::move(given_values)), repeats(does_repeat) {
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  for (std::size_t k = 1; k < times.size(); ++k)
+    steepest =
+        std::max(steepest, std::abs(values[k] - values[k - 1]) / (times[k] - times[k - 1]));
+}
 
 TimeCourse::Place TimeCourse::place_of(double t) const {
   const double length = times.back() - times.front();
@@ -33,19 +43,6 @@ double TimeCourse::slope(double t) const {
 double TimeCourse::next(double t) const {
   const auto [end, folded, turned] = place_of(t);
   return end < times.size() ? times[end] + turned : std::numeric_limits<double>::infinity();
-}
-
-double TimeCourse::largest() const {
-  double most = 0.0;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
-}
-
-double TimeCourse::steepest() const {
-  double most = 0.0;
-  for (std::size_t k = 1; k < times.size(); ++k)
-    most = std::max(most, std::abs(values[k] - values[k - 1]) / (times[k] - times[k - 1]));
-  return most;
 }
 
 }  // namespace graze

@@ -8,17 +8,19 @@ namespace graze {
 // Zero before the first instant and behind the last; or `repeats` from the last on, which then is the
 // first again.
 struct TimeCourse {
+  TimeCourse(std::vector<double> times, std::vector<double> values, bool repeats);
+
   std::vector<double> times;   // s, rising, at least two
   std::vector<double> values;  // as many
   bool repeats = false;
+  double largest = 0.0;   // |value|
+  double steepest = 0.0;  // |slope|, 1/s
 
   // On the line that begins at an instant, where t is within rounding of it.
   double at(double t) const;
   double slope(double t) const;  // 1/s
   // The next instant behind t at which another line begins; infinite where there is none.
   double next(double t) const;
-  double largest() const;   // |value|
-  double steepest() const;  // |slope|, 1/s
 
  private:
   // The line at t: the place of the instant that ends it, 0 and times.size() outside; and t folded

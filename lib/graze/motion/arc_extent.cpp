@@ -1,7 +1,6 @@
 #include "graze/motion/detail/arc_extent.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "graze/motion/detail/clearance.hpp"
 
@@ -16,17 +15,6 @@ Observable<double> negative(Observable<double> observable) {
   return observable;
 }
 
-// The coordinate z = unit cos(order theta) of a harmonic: its place, and the unit.
-std::pair<Eigen::Index, double> drive_of(const ConstrainedStructure<double>& structure,
-                                         double order) {
-  const std::vector<Harmonic>& list = structure.whole.harmonics;
-  const auto found = std::find_if(list.begin(), list.end(), [&](const Harmonic& one) {
-    return !one.timed && one.order == order;
-  });
-  const auto k = static_cast<std::size_t>(found - list.begin());
-  return {structure.drive(k), structure.units[k]};
-}
-
 }  // namespace
 
 Observable<double> displacement_of(const ConstrainedStructure<double>& structure,
@@ -36,9 +24,9 @@ Observable<double> displacement_of(const ConstrainedStructure<double>& structure
   if (seen.carried.empty()) return of;
   of.velocity = Vector::Zero(of.displacement.size());
   for (const MeasuredRow::Harmonic& one : seen.carried) {
-    const auto [at, unit] = drive_of(structure, one.order);
-    of.displacement[at] += one.cosine / unit;
-    of.velocity[at] -= one.sine / (unit * structure.reduced.omega[at]);
+    const std::size_t k = structure.harmonic_of(one.order);
+    of.displacement[structure.drive(k)] += one.cosine / structure.units[k];
+    of.velocity[structure.drive(k)] -= one.sine / structure.rate_unit(k);
   }
   return of;
 }
@@ -48,9 +36,10 @@ Observable<double> velocity_of(const ConstrainedStructure<double>& structure,
   const Vector on = structure.seen(seen.row);
   Observable<double> of{0.0, Vector::Zero(on.size()), on, {}};
   for (const MeasuredRow::Harmonic& one : seen.carried) {
-    const auto [at, unit] = drive_of(structure, one.order);
-    of.velocity[at] += one.cosine / unit;
-    of.displacement[at] += one.sine * structure.reduced.omega[at] / unit;
+    const std::size_t k = structure.harmonic_of(one.order);
+    const Eigen::Index at = structure.drive(k);
+    of.velocity[at] += one.cosine / structure.units[k];
+    of.displacement[at] += one.sine * structure.reduced.omega[at] / structure.units[k];
   }
   return of;
 }

@@ -20,7 +20,7 @@ double SpectralDensity::at(double frequency) const {
 }
 
 std::shared_ptr<TimeCourse> drawn_course(const SpectralDensity& density, double duration, double step,
-                                         unsigned seed) {
+                                         unsigned seed, bool repeats) {
   const auto count = static_cast<std::size_t>(std::max(2.0, std::round(duration / step)));
   const double spacing = 1.0 / (static_cast<double>(count) * step);
   std::mt19937_64 draw(seed);
@@ -36,12 +36,12 @@ std::shared_ptr<TimeCourse> drawn_course(const SpectralDensity& density, double 
   transform.SetFlag(Eigen::FFT<double>::Unscaled);
   std::vector<std::complex<double>> sum;
   transform.inv(sum, spectrum);
-  auto course = std::make_shared<TimeCourse>();
+  std::vector<double> times, values;
   for (std::size_t k = 0; k <= count; ++k) {
-    course->times.push_back(static_cast<double>(k) * step);
-    course->values.push_back(sum[k % count].real());
+    times.push_back(static_cast<double>(k) * step);
+    values.push_back(sum[k % count].real());
   }
-  return course;
+  return std::make_shared<TimeCourse>(std::move(times), std::move(values), repeats);
 }
 
 }  // namespace graze

@@ -8,9 +8,11 @@
 #include "graze/base/angle.hpp"
 #include "graze/base/units.hpp"
 #include "graze/scene/data_table.hpp"
+#include "graze/scene/detail/node.hpp"
 #include "graze/scene/detail/random_course.hpp"
 #include "graze/scene/detail/table_paths.hpp"
 #include "graze/scene/detail/text_file.hpp"
+#include "graze/scene/suggestion.hpp"
 
 namespace graze {
 namespace {
@@ -34,10 +36,10 @@ const char* unit_of(ForcingKind kind) {
 std::size_t column_of(const DataTable& table, const std::string& name, std::size_t place) {
   if (name.empty()) return place;
   if (const std::optional<std::size_t> found = table.find(name)) return *found;
-  std::string has;
-  for (std::size_t k = 0; k < table.columns(); ++k)
-    has += fmt::format("{}\"{}\"", k == 0 ? "" : ", ", table.column_name(k));
-  throw table.error(fmt::format("there is no column \"{}\", it must be one of {}", name, has));
+  std::vector<std::string> has;
+  for (std::size_t k = 0; k < table.columns(); ++k) has.push_back(quoted(table.column_name(k)));
+  throw table.error(
+      fmt::format("there is no column {}, it must be {}", quoted(name), joined(has, "or")));
 }
 
 // Two columns of a table, the first one rising.
@@ -76,11 +78,7 @@ std::shared_ptr<const TimeCourse> read_course(const SignalSource& source, const 
   Points points = read_points(source.file, "a signal", {source.time, source.column},
                               has_units ? std::array<std::string, 2>{"s", unit}
                                         : std::array<std::string, 2>{});
-  auto course = std::make_shared<TimeCourse>();
-  course->times = std::move(points.at);
-  course->values = std::move(points.of);
-  course->repeats = source.repeats;
-  return course;
+  return std::make_shared<TimeCourse>(std::move(points.at), std::move(points.of), source.repeats);
 }
 
 // Instants must resolve the highest frequency that has a density.
@@ -105,11 +103,8 @@ std::shared_ptr<const TimeCourse> draw_course(const SignalSource& source, const 
                       fmt::format("{} is not allowed, it must be at most {:g}, half of the period of "
                                   "the highest frequency that has a density, {:g} Hz",
                                   source.step, 0.5 / points.at.back(), points.at.back()));
-  std::shared_ptr<TimeCourse> course =
-      drawn_course({std::move(points.at), std::move(points.of)}, source.duration, source.step,
-                   static_cast<unsigned>(source.seed));
-  course->repeats = source.repeats;
-  return course;
+  return drawn_course({std::move(points.at), std::move(points.of)}, source.duration, source.step,
+                      static_cast<unsigned>(source.seed), source.repeats);
 }
 
 }  // namespace

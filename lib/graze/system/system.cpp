@@ -21,7 +21,7 @@ double Harmonic::swing(double theta) const {
   return timed ? timed->course->slope(timed->time(theta)) : -std::sin(order * theta);
 }
 
-double Harmonic::largest_wave() const { return timed ? timed->course->largest() : 1.0; }
+double Harmonic::largest_wave() const { return timed ? timed->course->largest : 1.0; }
 
 Vector Harmonic::rate_at(double theta) const {
   if (timed) return cosine * timed->course->slope(timed->time(theta)) / timed->frequency;

@@ -3,13 +3,6 @@
 namespace graze {
 namespace {
 
-// The harmonic of the force that has the order of another.
-std::size_t harmonic_of(const ConstrainedStructure<double>& structure, double order) {
-  std::size_t k = 0;
-  while (structure.whole.harmonics[k].timed || structure.whole.harmonics[k].order != order) ++k;
-  return k;
-}
-
 // Adds cosine cos + sine sin of the drive z = unit cos(k theta), z' = -rate_unit sin(k theta).
 void add_harmonic(const ConstrainedStructure<double>& structure, std::size_t k,
                   const Vector& cosine, const Vector& sine, Matrix& place, Matrix& rate) {
@@ -28,7 +21,7 @@ StructureForms structure_forms(const System& system,
     add_harmonic(structure, k, (*system.harmonics())[k].cosine, (*system.harmonics())[k].sine,
                  forms.force_place, forms.force_rate);
   for (const Harmonic& one : *system.carried()) {
-    const std::size_t k = harmonic_of(structure, one.order);
+    const std::size_t k = structure.harmonic_of(one.order);
     const double frequency = one.order * structure.whole.frequency;
     add_harmonic(structure, k, frequency * one.sine, -frequency * one.cosine, forms.place,
                  forms.rate);

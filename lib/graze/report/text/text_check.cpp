@@ -173,23 +173,21 @@ std::string load_text(const Scene& scene, const std::string& path, const Harmoni
   const bool point = forcing.kind == ForcingKind::kPoint;
   if (forcing.kind == ForcingKind::kNone) return "no force";
   const bool timed = forcing.signal.has_value();
-  if (forcing.kind == ForcingKind::kSupport)
-    return fmt::format("moving support {}, {} {}", point_text(scene, forcing.at),
-                       timed ? "factor" : "amplitude",
-                       told(scene, path + ".amplitude", forcing.amplitude, timed ? "" : "m"));
+  const bool support = forcing.kind == ForcingKind::kSupport;
   return fmt::format("{}, {} {}",
                      base       ? std::string(matrices ? "moving base" : "moving clamp")
                      : load     ? "distributed load"
+                     : support  ? "moving support " + point_text(scene, forcing.at)
                      : point    ? "force " + point_text(scene, forcing.at)
                      : matrices ? "load"
                                 : "modal",
                      timed ? "factor" : "amplitude",
                      told(scene, path + ".amplitude", forcing.amplitude,
-                          timed   ? ""
-                          : base    ? "m"
-                          : load  ? "N/m"
-                          : point ? "N"
-                                  : ""));
+                          timed             ? ""
+                          : base || support ? "m"
+                          : load            ? "N/m"
+                          : point           ? "N"
+                                            : ""));
 }
 
 // When a harmonic load repeats.

@@ -19,6 +19,6 @@ struct SpectralDensity {
 // that `seed` draws, the same on every machine (M. Shinozuka, C.-M. Jan, J. Sound Vib. 25 (1972)
 // 111-128). The duration is rounded to a whole number of steps.
 std::shared_ptr<TimeCourse> drawn_course(const SpectralDensity& density, double duration, double step,
-                                         unsigned seed);
+                                         unsigned seed, bool repeats = false);
 
 }  // namespace graze

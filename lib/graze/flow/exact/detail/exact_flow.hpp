@@ -98,7 +98,7 @@ struct LinearSystem {
     Real highest = frequency;
     for (const Harmonic& one : harmonics)
       highest = std::max<Real>(
-          highest, one.timed ? Real(one.timed->course->steepest() / one.largest_wave())
+          highest, one.timed ? Real(one.timed->course->steepest / one.largest_wave())
                              : Real(one.order * frequency));
     return highest;
   }

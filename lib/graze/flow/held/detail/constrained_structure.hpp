@@ -67,6 +67,12 @@ struct ConstrainedStructure {
     return one.timed ? Real(one.swing(static_cast<double>(theta)))
                      : Real(-sin(Real(one.order * theta)));
   }
+  // The harmonic of this order, which there must be.
+  std::size_t harmonic_of(double order) const {
+    std::size_t k = 0;
+    while (whole.harmonics[k].timed || whole.harmonics[k].order != order) ++k;
+    return k;
+  }
   // The place of harmonic k in y.
   Eigen::Index drive(std::size_t k) const {
     return size() - static_cast<Eigen::Index>(whole.harmonics.size() - k);
