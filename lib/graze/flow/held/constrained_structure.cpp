@@ -102,7 +102,7 @@ CoupledSystem couple(ConstrainedStructure<double>& held) {
     coupled.load = -left * held.whole.omega.cwiseAbs2().cwiseProduct(held.rest);
     if (held.whole.load.size() > 0) coupled.load += left * held.whole.load;
     const PivotedLu<double> stiffness(coupled.stiffness);
-    if (held.reduced.omega.minCoeff() > 0.0 && stiffness.is_invertible()) {
+    if (m > 0 && held.reduced.omega.minCoeff() > 0.0 && stiffness.is_invertible()) {
       const Vector balance = stiffness.solve(coupled.load);
       if (balance.norm() <= kLargestAmplification * held.whole.reach) {
         held.rest += held.basis * balance;

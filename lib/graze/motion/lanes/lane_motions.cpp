@@ -17,12 +17,8 @@ constexpr int kMostLaneModes = 16;
 // With more stops each evaluation would compute too many gaps for the sake of one.
 constexpr std::size_t kMostLaneStops = 8;
 
-LaneSet bit(std::size_t lane) { return LaneSet{1} << lane; }
-
-}  // namespace
-
-bool has_lane(const System& system, const ExactFlow<double>& flow) {
-  if (!system.forcing() || !system.has_closed_forms() || system.modes() > kMostLaneModes ||
+bool is_lane_like(const System& system) {
+  if (!system.repeats() || system.coupling() || system.modes() > kMostLaneModes ||
       system.stops.empty() || system.stops.size() > kMostLaneStops)
     return false;
   double reach = 0.0;
@@ -33,21 +29,61 @@ bool has_lane(const System& system, const ExactFlow<double>& flow) {
     reach = std::max(reach, std::abs(stop.gap));
   }
   // With all gaps 0 the state decides on the form of the flow (ExactFlow::for_start).
-  if (!(reach > 0.0) || !(flow.period() <= longest_flight(system))) return false;
-  if (flow.turns().quickest * flow.period() > kFarthestHalfAngle) return false;
+  return reach > 0.0;
+}
+
+// P of Re(P e^{i order theta}); none for a course, or where it is taken from rest.
+std::optional<LaneForm::Responses> responses_to(const System& system, const Harmonic& harmonic) {
+  if (harmonic.timed) return {};
+  LinearSystem<double> linear = linear_system<double>(system);
+  linear.frequency *= harmonic.order;
+  linear.amplitude = harmonic.cosine;
+  const ExactFlow<double> even(linear);
+  linear.amplitude = harmonic.sine;
+  const ExactFlow<double> odd(linear);
+  LaneForm::Responses responses;
+  for (int j = 0; j < even.modes(); ++j) {
+    const ModeFlow<double>&a = even.mode(j), &b = odd.mode(j);
+    if (a.kind != ModeKind::kOscillatory || b.kind != ModeKind::kOscillatory) return {};
+    responses.push_back({a.forced.re + b.forced.im, a.forced.im - b.forced.re});
+  }
+  return responses;
+}
+
+LaneSet bit(std::size_t lane) { return LaneSet{1} << lane; }
+
+}  // namespace
+
+std::optional<LaneForm> lane_form(const System& system, const ExactFlow<double>& flow) {
+  if (!is_lane_like(system) || !(flow.period() <= longest_flight(system))) return {};
   for (int j = 0; j < flow.modes(); ++j)
-    if (flow.mode(j).kind != ModeKind::kOscillatory) return false;
-  return true;
+    if (flow.mode(j).kind != ModeKind::kOscillatory) return {};
+  const HarmonicForcing& forcing = *system.forcing();
+  LaneForm form{{{1.0, {}}}, modal_forces(system).value()};
+  for (int j = 0; j < flow.modes(); ++j) form.harmonics[0].responses.push_back(flow.mode(j).forced);
+  double highest = 1.0;
+  for (const Harmonic& harmonic : forcing.harmonics) {
+    std::optional<LaneForm::Responses> responses = responses_to(system, harmonic);
+    if (!responses) return {};
+    form.harmonics.push_back({harmonic.order, std::move(*responses)});
+    highest = std::max(highest, harmonic.order);
+  }
+  const double quickest = std::max(flow.turns().quickest, highest * forcing.frequency / 2.0);
+  const double farthest = quickest * flow.period() + highest * std::abs(flow.phase({})) / 2.0;
+  if (farthest > kFarthestHalfAngle) return {};
+  return form;
 }
 
 void LaneMotions::adopt(std::size_t lane, const System& system, const ExactFlow<double>& flow,
-                        double closure_speed) {
-  const double frequency = flow.frequency();
+                        const LaneForm& form, double closure_speed) {
   const auto set = [&](double value, auto... place) { columns_.row(place...)[lane] = value; };
   set(flow.period(), LaneRow::kPeriod);
-  set(frequency / 2.0, LaneRow::kHalfFrequency);
-  set(flow.phase({}) / 2.0, LaneRow::kHalfPhase);
   set(closure_speed, LaneRow::kSlowest);
+  for (std::size_t k = 0; k < columns_.harmonics(); ++k) {
+    const double order = form.harmonics[k].order;
+    set(order * flow.frequency() / 2.0, LaneHarmonicRow::kHalfFrequency, k);
+    set(order * flow.phase({}) / 2.0, LaneHarmonicRow::kHalfPhase, k);
+  }
   for (std::size_t j = 0; j < columns_.modes(); ++j) {
     const ModeFlow<double>& mode = flow.mode(static_cast<int>(j));
     set(mode.first, LaneModeRow::kDecay, j);
@@ -55,34 +91,47 @@ void LaneMotions::adopt(std::size_t lane, const System& system, const ExactFlow<
     set(std::sqrt(mode.first * mode.first + mode.second * mode.second), LaneModeRow::kRate, j);
     set(1.0 / columns_.row(LaneModeRow::kRate, j)[lane], LaneModeRow::kPerRate, j);
     set(1.0 / mode.second, LaneModeRow::kPerFrequency, j);
-    set(mode.forced.re, LaneModeRow::kResponseRe, j);
-    set(mode.forced.im, LaneModeRow::kResponseIm, j);
     set(mode.offset, LaneModeRow::kOffset, j);
-    set(mode.force, LaneModeRow::kForce, j);
+    set(form.forces[static_cast<Eigen::Index>(j)], LaneModeRow::kForce, j);
+    for (std::size_t k = 0; k < columns_.harmonics(); ++k) {
+      set(form.harmonics[k].responses[j].re, LaneAnswerRow::kRe, j, k);
+      set(form.harmonics[k].responses[j].im, LaneAnswerRow::kIm, j, k);
+    }
   }
-  for (std::size_t i = 0; i < columns_.stops(); ++i) {
-    const Stop& stop = system.stops[i];
-    set(stop.gap, LaneStopRow::kGap, i);
-    set(stop.restitution().at(0.0), LaneStopRow::kRestitution, i);
-    const bool is_normal = stop.direction() == momentum_direction(stop.row);
-    set(is_normal ? stop.row.squaredNorm() : 1.0, LaneStopRow::kNorm, i);
+  for (std::size_t i = 0; i < columns_.stops(); ++i)
+    adopt_stop(lane, system.stops[i], i, flow, form);
+}
+
+void LaneMotions::adopt_stop(std::size_t lane, const Stop& stop, std::size_t i,
+                             const ExactFlow<double>& flow, const LaneForm& form) {
+  const auto set = [&](double value, auto... place) { columns_.row(place...)[lane] = value; };
+  set(stop.gap, LaneStopRow::kGap, i);
+  set(stop.restitution().at(0.0), LaneStopRow::kRestitution, i);
+  const bool is_normal = stop.direction() == momentum_direction(stop.row);
+  set(is_normal ? stop.row.squaredNorm() : 1.0, LaneStopRow::kNorm, i);
+  for (std::size_t j = 0; j < columns_.modes(); ++j) {
+    const ModeFlow<double>& mode = flow.mode(static_cast<int>(j));
+    const double row = stop.row[static_cast<Eigen::Index>(j)];
+    set(row, LanePairRow::kRow, i, j);
+    set(is_normal ? row : stop.direction()[static_cast<Eigen::Index>(j)], LanePairRow::kDirection,
+        i, j);
+    const auto drift = [&](double rate) { return 1.0 + (rate + mode.first) / mode.second; };
+    double apart = std::abs(mode.offset) * drift(flow.frequency());
+    for (const LaneForm::Part& part : form.harmonics)
+      apart += (std::abs(part.responses[j].re) + std::abs(part.responses[j].im)) *
+               drift(part.order * flow.frequency());
+    set(std::abs(row) * apart, LanePairRow::kFormedFrom, i, j);
+  }
+  for (std::size_t k = 0; k < columns_.harmonics(); ++k) {
     double re = 0.0, im = 0.0;
     for (std::size_t j = 0; j < columns_.modes(); ++j) {
-      const ModeFlow<double>& mode = flow.mode(static_cast<int>(j));
       const double row = stop.row[static_cast<Eigen::Index>(j)];
-      re -= row * mode.forced.re;
-      im -= row * mode.forced.im;
-      set(row, LanePairRow::kRow, i, j);
-      set(is_normal ? row : stop.direction()[static_cast<Eigen::Index>(j)], LanePairRow::kDirection,
-          i, j);
-      const double apart =
-          std::abs(mode.forced.re) + std::abs(mode.forced.im) + std::abs(mode.offset);
-      set(std::abs(row) * apart * (1.0 + (frequency + mode.first) / mode.second),
-          LanePairRow::kFormedFrom, i, j);
+      re -= row * form.harmonics[k].responses[j].re;
+      im -= row * form.harmonics[k].responses[j].im;
     }
-    set(re, LaneStopRow::kHarmonicRe, i);
-    set(im, LaneStopRow::kHarmonicIm, i);
-    set(std::hypot(re, im), LaneStopRow::kHarmonicSize, i);
+    set(re, LaneGapRow::kRe, i, k);
+    set(im, LaneGapRow::kIm, i, k);
+    set(std::hypot(re, im), LaneGapRow::kSize, i, k);
   }
 }
 

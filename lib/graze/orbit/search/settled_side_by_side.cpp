@@ -55,9 +55,9 @@ class SettlingMotions {
       place.system = task->system;
       place.settling.emplace(*task->system, task->start, std::move(task->options));
       const Settling& settling = *place.settling;
-      const bool flies = has_lane(*place.system, settling.flow()) && has_shape(*place.system);
-      if (flies) {
-        motions_->adopt(lane, *place.system, settling.flow(), settling.closure_speed());
+      const std::optional<LaneForm> form = lane_form(*place.system, settling.flow());
+      if (form && has_shape(*place.system, *form)) {
+        motions_->adopt(lane, *place.system, settling.flow(), *form, settling.closure_speed());
         place.q.resize(place.system->modes());
         place.qdot.resize(place.system->modes());
         if (begin(lane)) return true;
@@ -71,9 +71,9 @@ class SettlingMotions {
     return false;
   }
 
-  bool has_shape(const System& system) {
-    if (!motions_) motions_.emplace(system.modes(), static_cast<int>(system.stops.size()));
-    return motions_->has_shape(system);
+  bool has_shape(const System& system, const LaneForm& form) {
+    if (!motions_) motions_.emplace(system, form);
+    return motions_->has_shape(system, form);
   }
 
   void follow_to_end(Place& place) {

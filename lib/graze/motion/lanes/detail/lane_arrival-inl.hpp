@@ -39,15 +39,39 @@ HWY_INLINE Numbers of_hit(const LaneVector& lanes, LaneStopRow what, Numbers hit
   return found;
 }
 
+// The forced part of a mode, where the harmonics have these cosines and sines, and how fast it
+// falls.
+struct ForcedState {
+  Numbers value, fall;
+};
+HWY_INLINE ForcedState forced_state(const LaneVector& lanes, std::size_t j, LaneHarmonicRow cosines,
+                                    LaneHarmonicRow sines) {
+  ForcedState forced{number(0.0), number(0.0)};
+  for (std::size_t k = 0; k < lanes.columns->harmonics(); ++k) {
+    const Numbers half = lanes.get(LaneHarmonicRow::kHalfFrequency, k);
+    const Numbers p_re = lanes.get(LaneAnswerRow::kRe, j, k);
+    const Numbers p_im = lanes.get(LaneAnswerRow::kIm, j, k);
+    const Numbers cosine = lanes.get(cosines, k), sine = lanes.get(sines, k);
+    forced.value = hn::Add(forced.value, hn::MulSub(p_re, cosine, hn::Mul(p_im, sine)));
+    forced.fall =
+        hn::MulAdd(hn::Add(half, half), hn::MulAdd(p_re, sine, hn::Mul(p_im, cosine)), forced.fall);
+  }
+  return forced;
+}
+
 // Displacements and velocities at `at`; returns the lanes where they are finite.
 HWY_INLINE Chosen end_flight(const LaneVector& lanes, Chosen arrived) {
   const LaneColumns& c = *lanes.columns;
-  const Numbers c0 = lanes.get(LaneRow::kCosine), n0 = lanes.get(LaneRow::kSine);
-  const Numbers lost = lanes.get(LaneRow::kForcingTurnRe),
-                turned = lanes.get(LaneRow::kForcingTurnIm);
-  const Numbers cosine = hn::Add(c0, hn::MulSub(c0, lost, hn::Mul(n0, turned)));
-  const Numbers sine = hn::Add(n0, hn::MulAdd(c0, turned, hn::Mul(n0, lost)));
-  const Numbers half = lanes.get(LaneRow::kHalfFrequency), frequency = hn::Add(half, half);
+  for (std::size_t k = 0; k < c.harmonics(); ++k) {
+    const Numbers c0 = lanes.get(LaneHarmonicRow::kCosine, k);
+    const Numbers n0 = lanes.get(LaneHarmonicRow::kSine, k);
+    const Numbers lost = lanes.get(LaneHarmonicRow::kTurnRe, k);
+    const Numbers turned = lanes.get(LaneHarmonicRow::kTurnIm, k);
+    lanes.keep(c.row(LaneHarmonicRow::kEndCosine, k),
+               hn::Add(c0, hn::MulSub(c0, lost, hn::Mul(n0, turned))));
+    lanes.keep(c.row(LaneHarmonicRow::kEndSine, k),
+               hn::Add(n0, hn::MulAdd(c0, turned, hn::Mul(n0, lost))));
+  }
   Chosen finite = arrived;
   for (std::size_t j = 0; j < c.modes(); ++j) {
     const Numbers re = lanes.get(LaneModeRow::kAmplitude, j);
@@ -56,15 +80,13 @@ HWY_INLINE Chosen end_flight(const LaneVector& lanes, Chosen arrived) {
                   t_im = lanes.get(LaneModeRow::kTurnIm, j);
     const Numbers y = hn::Add(re, hn::MulSub(re, t_re, hn::Mul(im, t_im)));
     const Numbers across = hn::Add(im, hn::MulAdd(re, t_im, hn::Mul(im, t_re)));
-    const Numbers p_re = lanes.get(LaneModeRow::kResponseRe, j);
-    const Numbers p_im = lanes.get(LaneModeRow::kResponseIm, j);
     const Numbers half_own = lanes.get(LaneModeRow::kHalfFrequency, j);
-    const Numbers forced = hn::MulSub(p_re, cosine, hn::Mul(p_im, sine));
-    const Numbers forced_rate = hn::Mul(frequency, hn::MulAdd(p_re, sine, hn::Mul(p_im, cosine)));
-    const Numbers q = hn::Add(hn::Add(y, lanes.get(LaneModeRow::kOffset, j)), forced);
+    const ForcedState forced =
+        forced_state(lanes, j, LaneHarmonicRow::kEndCosine, LaneHarmonicRow::kEndSine);
+    const Numbers q = hn::Add(hn::Add(y, lanes.get(LaneModeRow::kOffset, j)), forced.value);
     const Numbers free_rate = hn::MulAdd(lanes.get(LaneModeRow::kDecay, j), y,
                                          hn::Mul(hn::Add(half_own, half_own), across));
-    const Numbers qdot = hn::Neg(hn::Add(free_rate, forced_rate));
+    const Numbers qdot = hn::Neg(hn::Add(free_rate, forced.fall));
     lanes.keep(c.row(LaneModeRow::kEnd, j), arrived, q);
     lanes.keep(c.row(LaneModeRow::kEndRate, j), arrived, qdot);
     lanes.keep(c.row(LaneModeRow::kAfterRate, j), arrived, qdot);
@@ -179,15 +201,19 @@ HWY_INLINE Chosen hit_stops(const LaneVector& lanes, Chosen contact) {
 }
 
 // The gaps at the start of the flight that begins in kEnd, kAfterRate.
-HWY_INLINE void begin_gaps(const LaneVector& lanes, Chosen chosen, Chosen contact, Numbers cosine,
-                           Numbers sine) {
+HWY_INLINE void begin_gaps(const LaneVector& lanes, Chosen chosen, Chosen contact) {
   const LaneColumns& c = *lanes.columns;
   const Numbers hit = lanes.get(LaneRow::kHit), zero = number(0.0);
   for (std::size_t i = 0; i < c.stops(); ++i) {
-    const Numbers re = lanes.get(LaneStopRow::kHarmonicRe, i);
-    const Numbers im = lanes.get(LaneStopRow::kHarmonicIm, i);
-    lanes.keep(c.row(LaneStopRow::kForcedRe, i), chosen, hn::MulSub(re, cosine, hn::Mul(im, sine)));
-    lanes.keep(c.row(LaneStopRow::kForcedIm, i), chosen, hn::MulAdd(re, sine, hn::Mul(im, cosine)));
+    for (std::size_t k = 0; k < c.harmonics(); ++k) {
+      const Numbers re = lanes.get(LaneGapRow::kRe, i, k), im = lanes.get(LaneGapRow::kIm, i, k);
+      const Numbers cosine = lanes.get(LaneHarmonicRow::kCosine, k);
+      const Numbers sine = lanes.get(LaneHarmonicRow::kSine, k);
+      lanes.keep(c.row(LaneGapRow::kForcedRe, i, k), chosen,
+                 hn::MulSub(re, cosine, hn::Mul(im, sine)));
+      lanes.keep(c.row(LaneGapRow::kForcedIm, i, k), chosen,
+                 hn::MulAdd(re, sine, hn::Mul(im, cosine)));
+    }
     const Numbers gap = lanes.get(LaneStopRow::kGap, i);
     Numbers reach = zero, size = hn::Abs(gap);
     for (std::size_t j = 0; j < c.modes(); ++j) {
@@ -209,17 +235,19 @@ HWY_INLINE void begin_gaps(const LaneVector& lanes, Chosen chosen, Chosen contac
 HWY_INLINE void begin_flight(const LaneVector& lanes, Chosen chosen, Chosen contact,
                              Numbers local) {
   const LaneColumns& c = *lanes.columns;
-  const Numbers half = lanes.get(LaneRow::kHalfFrequency), frequency = hn::Add(half, half);
-  const Products phase = products_near(hn::MulAdd(half, local, lanes.get(LaneRow::kHalfPhase)));
-  const Numbers cosine = hn::Sub(number(1.0), phase.square), sine = phase.mixed;
+  for (std::size_t k = 0; k < c.harmonics(); ++k) {
+    const Products phase =
+        products_near(hn::MulAdd(lanes.get(LaneHarmonicRow::kHalfFrequency, k), local,
+                                 lanes.get(LaneHarmonicRow::kHalfPhase, k)));
+    lanes.keep(c.row(LaneHarmonicRow::kCosine, k), chosen, hn::Sub(number(1.0), phase.square));
+    lanes.keep(c.row(LaneHarmonicRow::kSine, k), chosen, phase.mixed);
+  }
   for (std::size_t j = 0; j < c.modes(); ++j) {
     const Numbers q = lanes.get(LaneModeRow::kEnd, j), qdot = lanes.get(LaneModeRow::kAfterRate, j);
-    const Numbers p_re = lanes.get(LaneModeRow::kResponseRe, j);
-    const Numbers p_im = lanes.get(LaneModeRow::kResponseIm, j);
-    const Numbers forced = hn::MulSub(p_re, cosine, hn::Mul(p_im, sine));
-    const Numbers forced_rate = hn::Mul(frequency, hn::MulAdd(p_re, sine, hn::Mul(p_im, cosine)));
-    const Numbers y = hn::Sub(hn::Sub(q, lanes.get(LaneModeRow::kOffset, j)), forced);
-    const Numbers ydot = hn::Add(qdot, forced_rate);
+    const ForcedState forced =
+        forced_state(lanes, j, LaneHarmonicRow::kCosine, LaneHarmonicRow::kSine);
+    const Numbers y = hn::Sub(hn::Sub(q, lanes.get(LaneModeRow::kOffset, j)), forced.value);
+    const Numbers ydot = hn::Add(qdot, forced.fall);
     const Numbers across = hn::Neg(hn::Mul(hn::MulAdd(lanes.get(LaneModeRow::kDecay, j), y, ydot),
                                            lanes.get(LaneModeRow::kPerFrequency, j)));
     const Numbers square = hn::MulAdd(y, y, hn::Mul(across, across));
@@ -232,11 +260,9 @@ HWY_INLINE void begin_flight(const LaneVector& lanes, Chosen chosen, Chosen cont
     lanes.keep(c.row(LaneModeRow::kStart, j), chosen, q);
     lanes.keep(c.row(LaneModeRow::kStartRate, j), chosen, qdot);
   }
-  begin_gaps(lanes, chosen, contact, cosine, sine);
+  begin_gaps(lanes, chosen, contact);
   lanes.keep(c.row(LaneRow::kFrom), chosen,
              hn::IfThenElse(contact, lanes.get(LaneRow::kHit), number(-1.0)));
-  lanes.keep(c.row(LaneRow::kCosine), chosen, cosine);
-  lanes.keep(c.row(LaneRow::kSine), chosen, sine);
   lanes.keep(c.row(LaneRow::kLocal), chosen, local);
   lanes.keep(c.row(LaneRow::kWindow), chosen, hn::Sub(lanes.get(LaneRow::kPeriod), local));
   lanes.keep(c.row(LaneRow::kAt), chosen, number(0.0));

@@ -24,14 +24,10 @@ enum class LaneStage {
 // Rows of a lane as a whole. Times in s, angles in rad; phases and frequencies halved.
 enum class LaneRow {
   kStage,
-  kAt,             // s, since the flight began
-  kWindow,         // until the period ends
-  kLocal,          // start of the flight, since the start of the period
-  kPeriod,         // s
-  kHalfFrequency,  // of the forcing
-  kHalfPhase,      // of the forcing at the period's start
-  kCosine,         // of the forcing's phase when the flight began
-  kSine,
+  kAt,          // s, since the flight began
+  kWindow,      // until the period ends
+  kLocal,       // start of the flight, since the start of the period
+  kPeriod,      // s
   kSlowest,     // m/s, slowest impact after which the rest of a chatter is not considered
   kFrom,        // stop that the flight leaves; -1: none
   kHit,         // stop that is approached
@@ -39,8 +35,19 @@ enum class LaneRow {
   kThird,       // bound on the third derivative where it began
   kLooks,       // evaluations of this flight
   kSpeed,       // approach speed at the contact, m/s
-  kForcingTurnRe,
-  kForcingTurnIm,  // e^{i W s} - 1 at `at`
+  kCount
+};
+
+// Rows of a harmonic of the forcing.
+enum class LaneHarmonicRow {
+  kHalfFrequency,
+  kHalfPhase,  // at the period's start
+  kCosine,     // of its phase when the flight began
+  kSine,
+  kEndCosine,  // and where it ends
+  kEndSine,
+  kTurnRe,  // e^{i W s} - 1 at `at`
+  kTurnIm,
   kCount
 };
 
@@ -51,11 +58,9 @@ enum class LaneModeRow {
   kRate,           // |l|, which is omega
   kPerRate,        // 1/omega
   kPerFrequency,   // 1/(2 kHalfFrequency)
-  kResponseRe,     // P
-  kResponseIm,
-  kOffset,     // c/w^2
-  kForce,      // f
-  kAmplitude,  // Z, its two parts and its size
+  kOffset,         // c/w^2
+  kForce,          // largest possible |f|
+  kAmplitude,      // Z, its two parts and its size
   kAmplitudeIm,
   kSize,
   kStart,  // displacement and velocity when the flight began
@@ -75,11 +80,6 @@ enum class LaneStopRow {
   kGap,
   kRestitution,
   kNorm,        // what an impulse is divided by: |b|^2 where it acts along the row, else 1
-  kHarmonicRe,  // of the gap: weight of e^{i theta}
-  kHarmonicIm,
-  kHarmonicSize,
-  kForcedRe,  // times e^{i theta} when the flight began
-  kForcedIm,
   kStartValue,  // of the gap; 0 where the flight leaves the stop
   kStartNoise,
   kClearUntil,  // s, it is open for certain
@@ -109,26 +109,49 @@ enum class LanePairRow {
   kCount
 };
 
+// Rows of a mode and a harmonic.
+enum class LaneAnswerRow {
+  kRe,  // P
+  kIm,
+  kCount
+};
+
+// Rows of a stop and a harmonic.
+enum class LaneGapRow {
+  kRe,  // of the gap: weight of e^{i theta}
+  kIm,
+  kSize,
+  kForcedRe,  // times e^{i theta} when the flight began
+  kForcedIm,
+  kCount
+};
+
 class LaneColumns {
  public:
-  LaneColumns(int modes, int stops)
-      : modes_(static_cast<std::size_t>(modes)),
-        stops_(static_cast<std::size_t>(stops)),
-        numbers_(new (std::align_val_t{kAlignment}) double[length()]()) {}
+  LaneColumns(std::size_t modes, std::size_t stops, std::size_t harmonics)
+      : modes_(modes),
+        stops_(stops),
+        harmonics_(harmonics),
+        numbers_(new (std::align_val_t{kAlignment}) double[kLanes * first(7)]()) {}
 
   std::size_t modes() const { return modes_; }
   std::size_t stops() const { return stops_; }
+  std::size_t harmonics() const { return harmonics_; }
 
-  double* row(LaneRow row) const { return at(static_cast<std::size_t>(row)); }
-  double* row(LaneModeRow row, std::size_t mode) const {
-    return at(kOwn + static_cast<std::size_t>(row) * modes_ + mode);
-  }
-  double* row(LaneStopRow row, std::size_t stop) const {
-    return at(kOwn + kOfMode * modes_ + static_cast<std::size_t>(row) * stops_ + stop);
-  }
+  double* row(LaneRow row) const { return at(0, row, 0, 1); }
+  double* row(LaneModeRow row, std::size_t mode) const { return at(first(1), row, mode, modes_); }
+  double* row(LaneStopRow row, std::size_t stop) const { return at(first(2), row, stop, stops_); }
   double* row(LanePairRow row, std::size_t stop, std::size_t mode) const {
-    return at(kOwn + kOfMode * modes_ + kOfStop * stops_ +
-              (static_cast<std::size_t>(row) * stops_ + stop) * modes_ + mode);
+    return at(first(3), row, stop * modes_ + mode, stops_ * modes_);
+  }
+  double* row(LaneHarmonicRow row, std::size_t harmonic) const {
+    return at(first(4), row, harmonic, harmonics_);
+  }
+  double* row(LaneAnswerRow row, std::size_t mode, std::size_t harmonic) const {
+    return at(first(5), row, mode * harmonics_ + harmonic, modes_ * harmonics_);
+  }
+  double* row(LaneGapRow row, std::size_t stop, std::size_t harmonic) const {
+    return at(first(6), row, stop * harmonics_ + harmonic, stops_ * harmonics_);
   }
 
  private:
@@ -138,16 +161,26 @@ class LaneColumns {
       ::operator delete[](numbers, std::align_val_t{kAlignment});
     }
   };
-  static constexpr std::size_t kOwn = static_cast<std::size_t>(LaneRow::kCount),
-                               kOfMode = static_cast<std::size_t>(LaneModeRow::kCount),
-                               kOfStop = static_cast<std::size_t>(LaneStopRow::kCount),
-                               kOfPair = static_cast<std::size_t>(LanePairRow::kCount);
-  std::size_t length() const {
-    return kLanes * (kOwn + kOfMode * modes_ + kOfStop * stops_ + kOfPair * stops_ * modes_);
+  // Of the kinds of rows, in this order, the first of a kind; `kind` 7: their number.
+  std::size_t first(int kind) const {
+    const std::size_t lengths[] = {
+        static_cast<std::size_t>(LaneRow::kCount),
+        static_cast<std::size_t>(LaneModeRow::kCount) * modes_,
+        static_cast<std::size_t>(LaneStopRow::kCount) * stops_,
+        static_cast<std::size_t>(LanePairRow::kCount) * stops_ * modes_,
+        static_cast<std::size_t>(LaneHarmonicRow::kCount) * harmonics_,
+        static_cast<std::size_t>(LaneAnswerRow::kCount) * modes_ * harmonics_,
+        static_cast<std::size_t>(LaneGapRow::kCount) * stops_ * harmonics_};
+    std::size_t sum = 0;
+    for (int k = 0; k < kind; ++k) sum += lengths[k];
+    return sum;
   }
-  double* at(std::size_t row) const { return numbers_.get() + kLanes * row; }
+  template <class Row>
+  double* at(std::size_t first, Row row, std::size_t place, std::size_t places) const {
+    return numbers_.get() + kLanes * (first + static_cast<std::size_t>(row) * places + place);
+  }
 
-  std::size_t modes_, stops_;
+  std::size_t modes_, stops_, harmonics_;
   std::unique_ptr<double[], Free> numbers_;
 };
 

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
+#include <vector>
 
 #include "graze/flow/exact/detail/exact_flow.hpp"
 #include "graze/flow/exact/motion_state.hpp"
@@ -12,22 +14,35 @@
 
 namespace graze {
 
-// Whether lanes can follow its motions: forced, underdamped modes, few of them, rigid stops of
-// constant restitution r > 0. `flow` is that of the system.
-bool has_lane(const System& system, const ExactFlow<double>& flow);
+// A system as lanes take it.
+struct LaneForm {
+  using Responses = std::vector<PlanarNumber<double>>;  // P of each mode
+  struct Part {
+    double order;  // multiple of the forcing's frequency
+    Responses responses;
+  };
+  std::vector<Part> harmonics;
+  Vector forces;  // largest modal forces, kg^1/2 m/s^2, N
+};
+
+// None where lanes cannot follow its motions; they can with underdamped modes, few of them, forced
+// by harmonics that repeat, and rigid stops of constant restitution r > 0. `flow` is that of the
+// system.
+std::optional<LaneForm> lane_form(const System& system, const ExactFlow<double>& flow);
 
 class LaneMotions {
  public:
-  LaneMotions(int modes, int stops) : columns_(modes, stops) {}
+  LaneMotions(const System& system, const LaneForm& form)
+      : columns_(static_cast<std::size_t>(system.modes()), system.stops.size(),
+                 form.harmonics.size()) {}
 
-  bool has_shape(const System& system) const {
+  bool has_shape(const System& system, const LaneForm& form) const {
     return columns_.modes() == static_cast<std::size_t>(system.modes()) &&
-           columns_.stops() == system.stops.size();
+           columns_.stops() == system.stops.size() && columns_.harmonics() == form.harmonics.size();
   }
-  // Requires has_lane of the system; impacts slower than `closure_speed`, m/s, are left to the
-  // caller.
+  // Requires this shape; impacts slower than `closure_speed`, m/s, are left to the caller.
   void adopt(std::size_t lane, const System& system, const ExactFlow<double>& flow,
-             double closure_speed);
+             const LaneForm& form, double closure_speed);
   // Starts a motion from this state at the start of a forcing period, clear of every stop.
   void begin(std::size_t lane, const Vector& q, const Vector& qdot);
   void drop(std::size_t lane);
@@ -46,6 +61,9 @@ class LaneMotions {
   MotionState<double> departure(std::size_t lane, long long period) const;
 
  private:
+  void adopt_stop(std::size_t lane, const Stop& stop, std::size_t i, const ExactFlow<double>& flow,
+                  const LaneForm& form);
+
   LaneColumns columns_;
   LaneSet busy_ = 0;
 };

@@ -57,9 +57,12 @@ struct LaneVector {
 HWY_INLINE void turn_lanes(const LaneVector& lanes) {
   const LaneColumns& c = *lanes.columns;
   const Numbers s = lanes.get(LaneRow::kAt);
-  const Products forcing = products_near(hn::Mul(lanes.get(LaneRow::kHalfFrequency), s));
-  lanes.keep(c.row(LaneRow::kForcingTurnRe), hn::Neg(forcing.square));
-  lanes.keep(c.row(LaneRow::kForcingTurnIm), forcing.mixed);
+  for (std::size_t k = 0; k < c.harmonics(); ++k) {
+    const Products forcing =
+        products_near(hn::Mul(lanes.get(LaneHarmonicRow::kHalfFrequency, k), s));
+    lanes.keep(c.row(LaneHarmonicRow::kTurnRe, k), hn::Neg(forcing.square));
+    lanes.keep(c.row(LaneHarmonicRow::kTurnIm, k), forcing.mixed);
+  }
   for (std::size_t j = 0; j < c.modes(); ++j) {
     const Turn t = turn(c.row(LaneModeRow::kDecay, j) + lanes.first,
                         c.row(LaneModeRow::kHalfFrequency, j) + lanes.first, s, false);
@@ -74,23 +77,33 @@ struct LanePoint {
   Numbers value, slope, curvature, bound, third, noise;
 };
 
+// Adds harmonic k of the forcing to the gap at stop i.
+HWY_INLINE void add_harmonic(const LaneVector& lanes, std::size_t i, std::size_t k,
+                             LanePoint& point) {
+  const Numbers s = lanes.get(LaneRow::kAt), half = lanes.get(LaneHarmonicRow::kHalfFrequency, k);
+  const Numbers frequency = hn::Add(half, half), square = hn::Mul(frequency, frequency);
+  const Numbers re = lanes.get(LaneGapRow::kForcedRe, i, k);
+  const Numbers im = lanes.get(LaneGapRow::kForcedIm, i, k);
+  const Numbers lost = lanes.get(LaneHarmonicRow::kTurnRe, k);
+  const Numbers grown = hn::Add(number(1.0), lost);
+  const Numbers turned = lanes.get(LaneHarmonicRow::kTurnIm, k);
+  const Numbers size = lanes.get(LaneGapRow::kSize, i, k), bound = hn::Mul(size, square);
+  const Numbers across = hn::MulAdd(im, grown, hn::Mul(re, turned));
+  const Numbers own = hn::MulSub(re, grown, hn::Mul(im, turned));
+  point.value = hn::Add(point.value, hn::MulSub(re, lost, hn::Mul(im, turned)));
+  point.slope = hn::NegMulAdd(frequency, across, point.slope);
+  point.curvature = hn::NegMulAdd(square, own, point.curvature);
+  point.bound = hn::Add(point.bound, bound);
+  point.third = hn::MulAdd(bound, frequency, point.third);
+  point.noise = hn::MulAdd(size, hn::Mul(s, frequency), point.noise);
+}
+
 // The forcing's part of the gap at stop i.
 HWY_INLINE LanePoint forced_point(const LaneVector& lanes, std::size_t i) {
   const LaneColumns& c = *lanes.columns;
-  const Numbers s = lanes.get(LaneRow::kAt), half = lanes.get(LaneRow::kHalfFrequency);
-  const Numbers frequency = hn::Add(half, half), square = hn::Mul(frequency, frequency);
-  const Numbers re = lanes.get(LaneStopRow::kForcedRe, i);
-  const Numbers im = lanes.get(LaneStopRow::kForcedIm, i);
-  const Numbers lost = lanes.get(LaneRow::kForcingTurnRe);
-  const Numbers grown = hn::Add(number(1.0), lost), turned = lanes.get(LaneRow::kForcingTurnIm);
-  const Numbers size = lanes.get(LaneStopRow::kHarmonicSize, i), bound = hn::Mul(size, square);
-  LanePoint point;
-  point.value = hn::MulSub(re, lost, hn::Mul(im, turned));
-  point.slope = hn::Neg(hn::Mul(frequency, hn::MulAdd(im, grown, hn::Mul(re, turned))));
-  point.curvature = hn::Neg(hn::Mul(square, hn::MulSub(re, grown, hn::Mul(im, turned))));
-  point.bound = bound;
-  point.third = hn::Mul(bound, frequency);
-  point.noise = hn::Mul(size, hn::Mul(s, frequency));
+  const Numbers zero = number(0.0);
+  LanePoint point{zero, zero, zero, zero, zero, zero};
+  for (std::size_t k = 0; k < c.harmonics(); ++k) add_harmonic(lanes, i, k, point);
   lanes.keep(c.row(LaneStopRow::kForcedSlope, i), point.slope);
   lanes.keep(c.row(LaneStopRow::kForcedCurvature, i), point.curvature);
   lanes.keep(c.row(LaneStopRow::kForcedThird, i), point.third);
