@@ -107,6 +107,8 @@ struct StructurePoint {
 };
 
 enum class SpectrumSides { kOne, kTwo };
+// What a record of a moving clamp is one of.
+enum class BaseRecord { kAcceleration, kDisplacement };
 
 // A course of time from a file, joined by straight lines; nothing beside it, or again and again. Or
 // one that is drawn: a sum of harmonics with random phases that has a spectral density.
@@ -114,13 +116,15 @@ struct SignalSource {
   std::string file{};      // a table with a row of names
   std::string column{};    // whose values those are; empty: the second one
   std::string time{};      // of the instants, s; empty: the first one
+  BaseRecord quantity = BaseRecord::kAcceleration;  // of the kind "base"
   bool repeats = false;
   std::string spectrum{};  // in place of `file`: frequency, Hz, and density, unit^2/Hz, by columns
   SpectrumSides sides = SpectrumSides::kOne;
   int seed = 1;
   double duration = 0.0;  // s, over which the drawn course does not repeat
   double step = 0.0;      // s, between its instants
-  std::shared_ptr<const TimeCourse> course{};  // as it was read or drawn
+  // As it was read or drawn; of a clamp always its acceleration.
+  std::shared_ptr<const TimeCourse> course{};
 };
 
 // amplitude cos(order frequency t + phase), with the frequency of the first load of a scene, or with

@@ -12,15 +12,20 @@
 #include "graze/scene/detail/random_course.hpp"
 #include "graze/scene/detail/table_paths.hpp"
 #include "graze/scene/detail/text_file.hpp"
+#include "graze/scene/ground_motion.hpp"
 #include "graze/scene/suggestion.hpp"
 
 namespace graze {
 namespace {
 
-const char* unit_of(ForcingKind kind) {
-  switch (kind) {
+bool is_displacement(const HarmonicLoad& load) {
+  return load.signal->quantity == BaseRecord::kDisplacement;
+}
+
+const char* unit_of(const HarmonicLoad& load) {
+  switch (load.kind) {
     case ForcingKind::kBase:
-      return "m/s^2";
+      return is_displacement(load) ? "m" : "m/s^2";
     case ForcingKind::kDistributed:
       return "N/m";
     case ForcingKind::kPoint:
@@ -63,21 +68,36 @@ Points read_points(const std::string& file, const char* kind,
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double next = number(row, at, units[0]);
     if (row > 0 && !(next > points.at.back()))
-      throw table.cell_error(row, at,
-                             fmt::format("{}: {} is not allowed, it must be greater than the number "
-                                         "before it, {}",
-                                         table.column_name(at), next, points.at.back()));
+      throw table.cell_error(
+          row, at,
+          fmt::format("{}: {} is not allowed, it must be greater than the number "
+                      "before it, {}",
+                      table.column_name(at), next, points.at.back()));
     points.at.push_back(next);
     points.of.push_back(number(row, of, units[1]));
   }
   return points;
 }
 
-std::shared_ptr<const TimeCourse> read_course(const SignalSource& source, const std::string& unit,
-                                              bool has_units) {
-  Points points = read_points(source.file, "a signal", {source.time, source.column},
-                              has_units ? std::array<std::string, 2>{"s", unit}
-                                        : std::array<std::string, 2>{});
+std::shared_ptr<const TimeCourse> read_course(const HarmonicLoad& load, const std::string& path,
+                                              const Scene& scene) {
+  const SignalSource& source = *load.signal;
+  const bool has_units = scene.units != Units::kNone;
+  Points points = read_points(
+      source.file, "a signal", {source.time, source.column},
+      has_units ? std::array<std::string, 2>{"s", unit_of(load)} : std::array<std::string, 2>{});
+  if (is_displacement(load)) {
+    if (load.kind != ForcingKind::kBase)
+      throw scene_error(scene, path + ".quantity",
+                        "it is that of a moving base, the load must be of the kind \"base\"");
+    if (source.repeats && points.of.front() != points.of.back())
+      throw scene_error(
+          scene, path + ".repeat",
+          fmt::format("the displacement begins at {:g} and ends at {:g}, to repeat it "
+                      "must come back",
+                      points.of.front(), points.of.back()));
+    points.of = spline_accelerations(points.at, points.of, source.repeats);
+  }
   return std::make_shared<TimeCourse>(std::move(points.at), std::move(points.of), source.repeats);
 }
 
@@ -99,10 +119,11 @@ std::shared_ptr<const TimeCourse> draw_course(const SignalSource& source, const 
                       fmt::format("{} is not allowed, the duration must have 2 to {:g} steps",
                                   source.step, kMostInstants));
   if (2.0 * points.at.back() * source.step > 1.0)
-    throw scene_error(scene, path + ".step",
-                      fmt::format("{} is not allowed, it must be at most {:g}, half of the period of "
-                                  "the highest frequency that has a density, {:g} Hz",
-                                  source.step, 0.5 / points.at.back(), points.at.back()));
+    throw scene_error(
+        scene, path + ".step",
+        fmt::format("{} is not allowed, it must be at most {:g}, half of the period of "
+                    "the highest frequency that has a density, {:g} Hz",
+                    source.step, 0.5 / points.at.back(), points.at.back()));
   return drawn_course({std::move(points.at), std::move(points.of)}, source.duration, source.step,
                       static_cast<unsigned>(source.seed), source.repeats);
 }
@@ -116,9 +137,8 @@ void read_signals(Scene& scene) {
     const std::string path = numbered_path("forcing", ++number) + ".signal";
     if (!load.signal) return;
     SignalSource& source = *load.signal;
-    source.course = source.spectrum.empty()
-                        ? read_course(source, unit_of(load.kind), scene.units != Units::kNone)
-                        : draw_course(source, path, scene);
+    source.course =
+        source.spectrum.empty() ? read_course(load, path, scene) : draw_course(source, path, scene);
   };
   read(*scene.forcing);
   for (HarmonicLoad& load : scene.further) read(load);

@@ -12,6 +12,7 @@
 #include "graze/report/text/detail/text_units.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/detail/table_paths.hpp"
+#include "graze/scene/ground_motion.hpp"
 #include "graze/scene/matrix_structure.hpp"
 #include "graze/scene/parameter.hpp"
 #include "graze/study/cost/step_choice.hpp"
@@ -203,12 +204,19 @@ std::string harmonic_text(const Scene& scene, const HarmonicLoad& load, const Sy
                                     : "");
 }
 
-std::string signal_text(const SignalSource& signal, const TextUnits& in) {
+std::string signal_text(const HarmonicLoad& load, const TextUnits& in) {
+  const SignalSource& signal = *load.signal;
   const TimeCourse& course = *signal.course;
-  return fmt::format("a signal of {} instants from {} to {}{}", course.times.size(),
-                     in.quantity(course.times.front(), 6, "s"),
-                     in.quantity(course.times.back(), 6, "s"),
-                     course.repeats ? ", again and again" : "");
+  std::string text = fmt::format("a signal of {} instants from {} to {}{}", course.times.size(),
+                                 in.quantity(course.times.front(), 6, "s"),
+                                 in.quantity(course.times.back(), 6, "s"),
+                                 course.repeats ? ", again and again" : "");
+  if (load.kind != ForcingKind::kBase) return text;
+  if (signal.quantity == BaseRecord::kDisplacement) return text + ", of displacements";
+  const Drift drift = drift_of(course);
+  return text + fmt::format(", which drifts by {} and {}",
+                            in.quantity(load.amplitude * drift.displacement, 4, "m"),
+                            in.quantity(load.amplitude * drift.velocity, 4, "m/s"));
 }
 
 // A line for each load; the period is that of all of them.
@@ -218,10 +226,10 @@ std::string forcing_text(const Scene& scene, const System& system, const TextUni
   std::size_t number = 0;
   for (const HarmonicLoad* load : scene.harmonic_loads()) {
     const std::string path = numbered_path("forcing", ++number);
-    text += effect(scene.further.empty() ? "forcing" : fmt::format("forcing {}", number),
-                   load_text(scene, path, *load) + ", " +
-                       (load->signal ? signal_text(*load->signal, in)
-                                     : harmonic_text(scene, *load, system, in)));
+    text += effect(
+        scene.further.empty() ? "forcing" : fmt::format("forcing {}", number),
+        load_text(scene, path, *load) + ", " +
+            (load->signal ? signal_text(*load, in) : harmonic_text(scene, *load, system, in)));
   }
   if (!scene.further.empty())
     text += effect("period", scene.repeats() ? fmt::format("{}, of all loads together",
@@ -243,10 +251,10 @@ std::string motion_text(const Scene& scene, const SceneStop& stop, const std::st
   std::size_t number = 0;
   for (const StopMotion& term : stop.motion) {
     const double order = term.order.value_or(1.0);
-    text += fmt::format(
-        "{} {}{}", number == 0 ? "moves by" : "and",
-        told(scene, numbered_path(path + ".motion", number + 1) + ".amplitude", term.amplitude, "m"),
-        order == 1.0 ? "" : fmt::format(" of order {:g}", order));
+    text += fmt::format("{} {}{}", number == 0 ? "moves by" : "and",
+                        told(scene, numbered_path(path + ".motion", number + 1) + ".amplitude",
+                             term.amplitude, "m"),
+                        order == 1.0 ? "" : fmt::format(" of order {:g}", order));
     text += ++number == stop.motion.size() ? ", " : " ";
   }
   return text;

@@ -63,6 +63,8 @@ inline constexpr std::array kLumpedForcings{Choice{"base", ForcingKind::kBase},
                                             Choice{"none", ForcingKind::kNone}};
 inline constexpr std::array kSpectrumSides{Choice{"one", SpectrumSides::kOne},
                                            Choice{"two", SpectrumSides::kTwo}};
+inline constexpr std::array kBaseRecords{Choice{"acceleration", BaseRecord::kAcceleration},
+                                         Choice{"displacement", BaseRecord::kDisplacement}};
 inline constexpr std::array kFrames{Choice{"clamp", StopFrame::kClamp},
                                     Choice{"space", StopFrame::kSpace}};
 inline constexpr std::array kStarts{Choice{"given", false}, Choice{"equilibrium", true}};

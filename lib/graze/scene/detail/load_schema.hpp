@@ -49,6 +49,12 @@ void describe(auto& v, Of<SignalSource> auto& signal, const Scene&) {
              .or_else("the first")
              .where(!drawn, of_file),
          signal.time);
+  v.choice(Key{"quantity", "", kAny,
+               "what the values are where the load is of the kind `\"base\"`: accelerations of the "
+               "clamp, or its displacements, which are joined by a cubic spline"}
+               .or_else()
+               .where(!drawn, of_file),
+           signal.quantity, kBaseRecords);
   v.flag(Key{"repeat", "", kAny, "begin again behind the last instant; else the load is gone"}
              .or_else(),
          signal.repeats);
