@@ -13,7 +13,10 @@ BranchOptions branch_options(const BranchingOptions& command);
 // What a picture shows in place of impact speeds; throws InputError where there is no such place.
 std::optional<Shown> shown_of(std::optional<ShownQuantity> quantity, const std::string& at,
                               const std::vector<MeasuredPlace>& places);
-// That number of an orbit in the family, which has to outlive it; empty where none is shown.
-ShownNumber number_of(const std::optional<Shown>& shown, const SystemFamily& family);
+// The levels that are asked for; `at`: the place of those that name none. Throws InputError.
+std::vector<OrbitLevel> levels_of(const LevelOptions& options, const std::string& at,
+                                  const Scene& scene);
+// That number of an orbit; empty where none is shown.
+OrbitNumber number_shown(const std::optional<Shown>& shown);
 
 }  // namespace graze

@@ -5,7 +5,7 @@
 #include "graze/assembly/assembly.hpp"
 #include "graze/assembly/system_warnings.hpp"
 #include "graze/bifurcation/problem/option_faults.hpp"
-#include "graze/orbit/orbit_amplitudes.hpp"
+#include "graze/record/orbit_quantity.hpp"
 #include "graze/report/json/json.hpp"
 #include "graze/report/text/text.hpp"
 #include "graze/scene/parameter.hpp"
@@ -50,16 +50,20 @@ std::optional<Shown> shown_of(std::optional<ShownQuantity> quantity, const std::
   throw InputError(fmt::format("--at: '{}' is not allowed; give one of {}", at, known));
 }
 
-ShownNumber number_of(const std::optional<Shown>& shown, const SystemFamily& family) {
-  if (!shown) return {};
-  return [shown, &family](double value, const Orbit& orbit) -> std::optional<double> {
-    const std::optional<Scene> scene = family.scene_at(value);
-    if (!scene) return {};
-    const System system = assemble(*scene);
-    const std::vector<MeasuredPlace> place = {measured_places(*scene, system)[shown->place]};
-    return shown_value({shown->quantity, 0}, place,
-                       orbit_amplitudes(system, orbit, rows_of(place)));
-  };
+OrbitNumber number_shown(const std::optional<Shown>& shown) {
+  return shown ? number_of(*shown) : OrbitNumber();
+}
+
+std::vector<OrbitLevel> levels_of(const LevelOptions& options, const std::string& at,
+                                  const Scene& scene) {
+  const std::vector<MeasuredPlace> places = measured_places(scene, assemble(scene));
+  std::vector<OrbitLevel> levels;
+  for (const std::string& text : options.levels)
+    levels.push_back(level_named(text, false, at, places));
+  for (OrbitLevel& level : levels) level.ends = options.level_ends;
+  for (const std::string& text : options.extremes)
+    levels.push_back(level_named(text, true, at, places));
+  return levels;
 }
 
 namespace {
@@ -127,6 +131,7 @@ int run(const ContinueCommand& command) {
   require_harmonics(scene);
   BranchOptions options = branch_options(command);
   if (restart) start_from(*restart, command, options);
+  options.levels = levels_of(command, command.curve_at, scene);
   const SystemFamily family(scene, command.parameter);
   BranchRecord record{info_of_call(command, scene),
                       assemble(scene),
@@ -146,7 +151,7 @@ int run(const ContinueCommand& command) {
   warn(command, record.warnings);
   prepare_output(command);
   if (command.any_impacts) start_from_motions(command, family, options);
-  record.traced = trace_orbits(family, options, number_of(record.shown, family));
+  record.traced = trace_orbits(family, options, number_shown(record.shown));
   options.progress = nullptr;
   if (command.measures())
     record.amplitudes = measure_branches(family, record.traced, command.threads, options.stop);

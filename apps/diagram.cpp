@@ -57,7 +57,7 @@ std::optional<Outcome> add_branches(const DiagramCommand& command, DiagramBranch
   traced.parameter = command.parameter;
   if (wanted == DiagramBranches::kNone) return {};
   if (wanted == DiagramBranches::kFound) options.settled = settled_starts(record.swept.rows);
-  traced = trace_orbits(family, options, number_of(record.branches.shown, family));
+  traced = trace_orbits(family, options, number_shown(record.branches.shown));
   if (command.measures())
     record.branches.amplitudes = measure_branches(family, traced, command.threads, options.stop);
   if (wanted == DiagramBranches::kFound && traced.cut_settled > 0) {

@@ -50,6 +50,19 @@ void start_from(const Restart& restart, const ContinueCommand& command, LociOpti
                                  restart.at.id, label_of(kind), label_of(kind)));
 }
 
+// Loci of levels need some, and branches are not cut at them.
+void check_levels(const ContinueCommand& command, const LociOptions& options) {
+  const auto wants = [&](OrbitLocusKind kind) {
+    return std::find(options.kinds.begin(), options.kinds.end(), kind) != options.kinds.end();
+  };
+  if (wants(OrbitLocusKind::kLevel) && command.levels.empty())
+    throw InputError("--locus UZ: give the level, --level QUANTITY=VALUE");
+  if (wants(OrbitLocusKind::kExtreme) && command.extremes.empty())
+    throw InputError("--locus EX: give what is extreme, --extreme QUANTITY");
+  if (command.level_ends)
+    throw InputError("--level-ends: branches end at levels, loci do not; leave it out");
+}
+
 // What is stable between the loci, as far as the time goes that tracing them has left.
 StableRegions regions_of(const ContinueCommand& command, const Scene& scene,
                          const LociOptions& loci) {
@@ -84,6 +97,8 @@ int run_loci(const ContinueCommand& command) {
   require_forcing_and_stop(scene);
   require_harmonics(scene);
   LociOptions options = loci_options(command, scene);
+  options.branches.levels = levels_of(command, "", scene);
+  check_levels(command, options);
   if (restart) start_from(*restart, command, options);
   LociRecord record;
   record.info = info_of_call(command, scene);
@@ -103,7 +118,7 @@ int run_loci(const ContinueCommand& command) {
   record.outcome = loci_outcome(record.traced, options);
   if (command.regions > 0) {
     record.regions = regions_of(command, scene, options);
-    if (options.kinds.size() == kOrbitLocusKinds.size())
+    if (options.kinds.size() >= kOrbitLocusKinds.size())
       record.boundaries = region_boundaries(*record.regions, record.traced);
     record.outcome = regions_outcome(*record.regions, record.outcome);
   }

@@ -1,5 +1,7 @@
 #include "loci_options.hpp"
 
+#include <algorithm>
+
 #include "branch_options.hpp"
 #include "graze/base/errors.hpp"
 #include "graze/scene/parameter.hpp"
@@ -15,6 +17,9 @@ std::vector<OrbitLocusKind> kinds_of(const std::vector<std::string>& labels) {
         kinds.push_back(kind);
         break;
       }
+  for (const OrbitLocusKind kind : {OrbitLocusKind::kLevel, OrbitLocusKind::kExtreme})
+    if (std::find(labels.begin(), labels.end(), label_of(kind)) != labels.end())
+      kinds.push_back(kind);
   return kinds;
 }
 
@@ -29,14 +34,18 @@ LociOptions loci_options(const LocusTracingOptions& command, const Scene& scene)
     throw InputError("--second-from, --second-to: the range must not be empty");
   if (command.any_impacts)
     throw InputError("--impacts any: loci are traced of orbits with a number of impacts; give it");
-  if (command.impacts == 0)
-    throw InputError("--impacts: loci are traced of orbits with impacts; give at least 1");
+  const std::vector<OrbitLocusKind> kinds = kinds_of(command.locus);
+  const bool of_levels = std::all_of(kinds.begin(), kinds.end(),
+                                     [](OrbitLocusKind kind) { return is_of_level(kind); });
+  if (command.impacts == 0 && !of_levels)
+    throw InputError(
+        "--impacts: loci but UZ and EX are traced of orbits with impacts; give at least 1");
   LociOptions options;
   options.branches = branch_options(command);
   options.branches.start_values = 8;
   options.second_from = *command.second_from;
   options.second_to = *command.second_to;
-  options.kinds = kinds_of(command.locus);
+  options.kinds = kinds;
   options.slices = command.slices;
   for (const double value : {command.from, command.to})
     for (const double second : {options.second_from, options.second_to})

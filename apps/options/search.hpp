@@ -54,6 +54,12 @@ struct LocusTracingOptions : BranchingOptions, SecondRangeOptions {
   int slices = 8;
 };
 
+// Numbers of orbits to be marked where they take values, or are extreme.
+struct LevelOptions {
+  std::vector<std::string> levels, extremes;  // "stop.1.peak-force=10"; "probe.1.amplitude"
+  bool level_ends = false;                    // branches end at levels
+};
+
 // A special point of an earlier run to go on from.
 struct RestartOptions {
   std::string folder, label;  // empty: none
@@ -149,10 +155,27 @@ void describe_curve(auto& v, BranchingOptions& o) {
   v.option("at", o.curve_at, "PLACE", kPlaceShown, Needs{{"show"}}, kOfResult);
 }
 
-void describe_locus_kinds(auto& v, LocusTracingOptions& o, const char* what, const auto&... parts) {
+void describe_locus_kinds(auto& v, LocusTracingOptions& o, const char* what, const Choices& kinds,
+                          const auto&... parts) {
   v.heading("Loci of special points");
-  v.option("locus", o.locus, "KIND", what, Choices{{"LP", "PD", "NS", "GR", "CH", "all"}},
-           kWithCommas, kOfResult, parts...);
+  v.option("locus", o.locus, "KIND", what, kinds, kWithCommas, kOfResult, parts...);
+}
+
+void describe_levels(auto& v, LevelOptions& o) {
+  v.heading("Levels");
+  v.option(
+      "level", o.levels, "QUANTITY=VALUE",
+      "Mark where a number of the orbits takes a value (UZ), with --locus UZ along curves: "
+      "stop.1.peak-force=10, probe.1.amplitude=2e-3, speed=0.5; what --show shows, speed, phase, "
+      "contact-duration, stuck-duration, impulse, clearance, multiplier, period; several with "
+      "commas",
+      kWithCommas, kOfResult);
+  v.flag("level_ends", o.level_ends, "With --level: branches end there", Needs{{"level"}},
+         kOfResult.where(o.level_ends));
+  v.option("extreme", o.extremes, "QUANTITY",
+           "Mark where a number of the orbits is largest or smallest along the branch (EX), with "
+           "--locus EX along curves; several with commas",
+           kWithCommas, kOfResult);
 }
 
 void describe_slices(auto& v, LocusTracingOptions& o, const Recorded& recorded) {

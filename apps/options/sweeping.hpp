@@ -146,7 +146,8 @@ void describe(auto& v, MapCommand& o) {
   describe_cells(v, o);
   describe_locus_kinds(v, o,
                        "Draw the loci of special points over the map: LP, PD, NS, GR, CH, several "
-                       "with commas, or all");
+                       "with commas, or all",
+                       Choices{{"LP", "PD", "NS", "GR", "CH", "all"}});
   describe_slices(v, o, kOfResult);
   const Recorded of_loci = kOfResult.where(!o.locus.empty());
   describe_period(v, o, "With --locus: forcing periods p of the orbits", Needs{{"locus"}}, of_loci);

@@ -11,7 +11,7 @@ namespace graze {
 
 struct OrbitCommand : OrbitSearchOptions {};
 
-struct ContinueCommand : LocusTracingOptions {
+struct ContinueCommand : LocusTracingOptions, LevelOptions {
   int regions = 0;  // places each way; 0: none
   RestartOptions restart;
 };
@@ -43,10 +43,12 @@ void describe(auto& v, ContinueCommand& o) {
   describe_branch_kind(
       v, o, recorded.as(o.any_impacts ? "any" : std::to_string(o.impacts.value_or(1))), kOfResult);
   describe_curve(v, o);
+  describe_levels(v, o);
   describe_closure_speed(v, o);
   describe_locus_kinds(v, o,
                        "Trace loci of special points over two parameters instead of branches: LP, "
-                       "PD, NS, GR, CH, several with commas, or all",
+                       "PD, NS, GR, CH, UZ and EX (levels), several with commas, or all but those",
+                       Choices{{"LP", "PD", "NS", "GR", "CH", "UZ", "EX", "all"}},
                        Excludes{{"amplitudes", "show", "at"}});
   v.option("second", o.second, "NAME", "With --locus: path of the second parameter, e.g. stop.gap",
            Needs{{"locus"}}, kOfResult);

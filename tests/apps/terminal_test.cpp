@@ -137,10 +137,11 @@ std::vector<std::string> headings_of(const std::string& command) {
 
 // Long lists of options are read by their headings: what the command alone has comes first.
 TEST(Terminal, HelpHasHeadings) {
-  EXPECT_EQ(headings_of("continue"),
-            (std::vector<std::string>{"Parameter", "Search for orbits", "Branches",
-                                      "Response curves", "Loci of special points", "Restart",
-                                      "Scene", "Numerics and limits", "Output", "Pictures"}));
+  EXPECT_EQ(
+      headings_of("continue"),
+      (std::vector<std::string>{"Parameter", "Search for orbits", "Branches", "Response curves",
+                                "Levels", "Loci of special points", "Restart", "Scene",
+                                "Numerics and limits", "Output", "Pictures"}));
 }
 
 TEST(Terminal, HelpOfEveryCommandBeginsWithItsOwnOptions) {

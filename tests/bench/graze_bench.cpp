@@ -61,7 +61,7 @@ void TraceLocus(benchmark::State& state) {
       OrbitLocusKind::kFold, {{1, {0}}, {form.solutions(gap).front()}, 0}, 47.0, gap, 1.0};
   std::size_t points = 0;
   for (auto _ : state) {
-    LocusTracer loci(scene, "forcing.frequency", "stop.gap", range, {});
+    LocusTracer loci(scene, "forcing.frequency", "stop.gap", range, {}, {});
     points += loci.trace(start).trace->places.size();
   }
   state.counters["points"] = static_cast<double>(points) / static_cast<double>(state.iterations());

@@ -22,7 +22,7 @@ PlaneCurveProblem ellipse(double range) {
     at.by_parameters << 1.0, 2.0 * q;
     return std::optional<ZeroEvaluation>(at);
   };
-  curve.tests = [](const SolutionPoint&, const SolutionPoint& at) {
+  curve.tests.all = [](const SolutionPoint&, const SolutionPoint& at) {
     return std::optional<Vector>(Vector{{at.u[0], at.parameter - 0.6}});
   };
   return curve;

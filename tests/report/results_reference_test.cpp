@@ -177,9 +177,11 @@ void tell_branches(Page& page, const System& system) {
   branches.system = system;
   branches.system.stops.push_back({Vector::Ones(1), 1.0, ContactForce{}});
   branches.amplitudes.places = {tip()};
+  branches.traced.levels = {"speed=1"};
   page.tell("continue", branches);
   LociRecord loci;
   loci.regions.emplace();
+  loci.traced.levels = {"speed=1"};
   loci.regions->places.resize(1);
   page.tell("continue --locus", loci);
   DiagramRecord diagram;

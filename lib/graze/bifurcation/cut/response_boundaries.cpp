@@ -60,7 +60,7 @@ std::vector<double> ResponseBoundaries::touched(std::size_t stop, double from, d
 }
 
 std::optional<BranchPlace> ResponseBoundaries::grazing(double value) const {
-  const std::optional<Vector> u = equations_.unknowns_at(value);
+  const std::optional<Vector> u = equations_.unknowns_at({&value, 1});
   std::optional<SolutionPoint> point =
       u ? solve_at(equations_.problem(), options_, *u, value) : std::nullopt;
   if (!point) return {};

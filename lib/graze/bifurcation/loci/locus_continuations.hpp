@@ -2,6 +2,7 @@
 // two, so that a locus which no slice meets is found where it meets another.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "graze/bifurcation/problem/grazing_orbit.hpp"
@@ -16,6 +17,9 @@ struct OrbitLocusStart {
   double first = 0.0, second = 0.0;
   Complex multiplier = 1.0;         // of NS: one of the pair
   std::optional<Orbit> followed{};  // in place of `orbit`: one that is followed
+  std::size_t level = 0;            // of UZ and EX: which of the levels
+
+  std::array<double, 2> place() const { return {first, second}; }
 };
 
 // An orbit at a special point as a start of its locus. For a locus of grazing it is relabelled to

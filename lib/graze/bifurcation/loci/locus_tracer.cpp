@@ -36,8 +36,6 @@ LocusStart as_start(const OrbitLocusStart& start, const OrbitProblems::Written& 
   return {as_locus_kind(start.kind), one.u, start.first, start.second, start.multiplier};
 }
 
-std::array<double, 2> place_of(const OrbitLocusStart& start) { return {start.first, start.second}; }
-
 LocusSite site_of(const LocusPoint& at) { return {at.u, at.first, at.second, at.angle}; }
 
 MotionScale own_scale(const Scene& scene, const std::string& parameter) {
@@ -54,14 +52,17 @@ struct LocusTracer::Within {
 };
 
 LocusTracer::LocusTracer(const Scene& scene, const std::string& first, const std::string& second,
-                         const LocusOptions& options, const SegmentOptions& segment)
+                         const LocusOptions& options, const SegmentOptions& segment,
+                         const std::vector<OrbitLevel>& levels)
     : options_(options),
+      levels_(levels),
       scale_(own_scale(scene, first)),
       problems_(scene, {first, second}, {first_range(options), second_range(options)}, scale_,
                 segment) {}
 
 bool LocusTracer::is_along(OrbitLocusKind kind) {
-  return kind == OrbitLocusKind::kGrazing || kind == OrbitLocusKind::kChatterCompletes;
+  return kind == OrbitLocusKind::kGrazing || kind == OrbitLocusKind::kChatterCompletes ||
+         is_of_level(kind);
 }
 
 bool LocusTracer::knows(const OrbitLocusStart& start) {
@@ -77,7 +78,7 @@ void LocusTracer::know(const OrbitLocusStart& start, LocusAnswer answer) {
   if (answer.critical) {
     const std::vector<Written> list = written(start);
     if (list.empty()) return;
-    const Written one = problems_.clear_of_contacts(list.front(), place_of(start));
+    const Written one = problems_.clear_of_contacts(list.front(), start.place());
     Critical& critical = critical_of(*one.orbits);
     critical.traced[start.kind].add((*one.orbits)->problem(), options_for(*critical.orbits),
                                     *answer.critical);
@@ -100,7 +101,7 @@ std::vector<OrbitProblems::Written> LocusTracer::written(const OrbitLocusStart& 
     orbit.section->closure_speed = *closure_speed_;
     return problems_.written(orbit, std::array{start.first, start.second});
   }
-  return problems_.rewritings(start.orbit.pattern, start.orbit.impacts, place_of(start));
+  return problems_.rewritings(start.orbit.pattern, start.orbit.impacts, start.place());
 }
 
 LocusTracer::Critical& LocusTracer::critical_of(const LaidOrbits& orbits) {
@@ -124,7 +125,7 @@ LocusOptions LocusTracer::options_for(const LocusOrbits& orbits) const {
 
 bool LocusTracer::knows_critical(const OrbitLocusStart& start) {
   for (const Written& here : written(start))
-    for (const Written& one : problems_.on_every_section(here, place_of(start))) {
+    for (const Written& one : problems_.on_every_section(here, start.place())) {
       Critical& critical = critical_of(*one.orbits);
       const KnownLoci& traced = critical.traced[start.kind];
       if (!traced.empty() && traced.find((*one.orbits)->problem(), options_for(*critical.orbits),
@@ -139,7 +140,7 @@ LocusAnswer LocusTracer::trace_critical(const OrbitLocusStart& start) {
   const std::vector<Written> list = written(start);
   // While as many stops are closed as there are modes all multipliers are zero.
   if (list.empty() || !(*list.front().orbits)->has_multipliers()) return answer;
-  const Written one = problems_.clear_of_contacts(list.front(), place_of(start));
+  const Written one = problems_.clear_of_contacts(list.front(), start.place());
   const Critical& critical = critical_of(*one.orbits);
   answer.critical =
       trace_locus((*one.orbits)->problem(), options_for(*critical.orbits), as_start(start, one));
@@ -210,6 +211,7 @@ LocusTrace LocusTracer::assembled(OrbitLocus frame, const LocusOrbits& orbits,
 
 LocusTracer::CurveStart LocusTracer::curve_at(const OrbitLocusStart& start) {
   if (start.kind == OrbitLocusKind::kChatterCompletes) return completion(start);
+  if (is_of_level(start.kind)) return level(start);
   return start.followed ? segment_grazing(start) : flight_grazing(start);
 }
 
@@ -220,7 +222,7 @@ LocusTracer::CurveStart LocusTracer::flight_grazing(const OrbitLocusStart& start
   Curves& curves = curves_[{orbits.problem.get(), 0}];
   if (!curves.curve)
     curves.curve = std::make_unique<FlightGrazing>(flights, 0, first_range(options_));
-  const System* system = flights.system_at(place_of(start));
+  const System* system = flights.system_at(start.place());
   if (!system) return {};
   const Vector u = flights.shooting().pack(*system, start.orbit.impacts);
   Vector y(u.size() + 1);
@@ -281,13 +283,17 @@ LocusOptions LocusTracer::options_along(const OrbitCurve& curve) const {
 }
 
 bool LocusTracer::knows_along(const OrbitLocusStart& start) {
-  const CurveStart at = curve_at(start);
+  const std::vector<CurveStart> forms = forms_of(start);
+  return std::any_of(forms.begin(), forms.end(),
+                     [&](const CurveStart& form) { return is_known(form, start.second); });
+}
+
+bool LocusTracer::is_known(const CurveStart& at, double second) const {
   if (!at.curves || at.curves->traced.empty()) return false;
   const OrbitCurve& curve = *at.curves->curve;
   const PlaneCurveProblem& problem = curve.problem();
   const LocusOptions options = options_along(curve);
-  const std::optional<SolutionPoint> point =
-      point_on_curve(problem, options, at.unknown, start.second);
+  const std::optional<SolutionPoint> point = point_on_curve(problem, options, at.unknown, second);
   if (!point) return false;
   const ContinuationOptions along = branch_options(problem, options);
   Corrector corrector(problem.problem, along);
@@ -305,9 +311,12 @@ LocusAnswer LocusTracer::trace_along(const OrbitLocusStart& start) {
   PlaneCurveProblem problem = curve.problem();
   // The margins of its orbits, and after them a function that changes sign where a multiplier
   // passes 1.
-  problem.tests = [&](const SolutionPoint&, const SolutionPoint& here) -> std::optional<Vector> {
+  problem.tests.all = [&](const SolutionPoint&,
+                          const SolutionPoint& here) -> std::optional<Vector> {
     std::optional<Vector> tests = curve.orbits().margins(curve.site_of(here));
     if (!tests || !problem.problem.multipliers) return tests;
+    // Where the trace is halted instead no margin vanishes.
+    if (tests->size() == 0) tests->setOnes(kLocusMargins);
     const std::vector<Eigenvalue> list =
         problem.problem.multipliers(here.u, here.parameters(), ErrorBounds::kLeftOut);
     if (list.empty()) return {};
@@ -321,12 +330,12 @@ LocusAnswer LocusTracer::trace_along(const OrbitLocusStart& start) {
   if (!point) return answer;
   PlaneCurve traced = trace_curve(problem, options, *point);
   answer.evaluations = traced.branch.evaluations;
-  answer.trace = as_trace(start.kind, curve, traced);
+  answer.trace = as_trace(start, curve, traced);
   answer.curve = std::move(traced.branch.points);
   return answer;
 }
 
-LocusTrace LocusTracer::as_trace(OrbitLocusKind kind, const OrbitCurve& curve,
+LocusTrace LocusTracer::as_trace(const OrbitLocusStart& start, const OrbitCurve& curve,
                                  const PlaneCurve& traced) const {
   const LocusOrbits& orbits = curve.orbits();
   std::vector<LocusSite> sites;
@@ -336,7 +345,7 @@ LocusTrace LocusTracer::as_trace(OrbitLocusKind kind, const OrbitCurve& curve,
                        const char* met, std::optional<double> angle) {
     std::optional<LocusPlace> place = orbits.place(curve.site_of(at), zero);
     if (!place) return;
-    if (met) place->label = std::string(met) + label_of(kind);
+    if (met) place->label = std::string(met) + label_of(start.kind);
     place->other_angle = angle;
     within.push_back({after, std::move(*place)});
   };
@@ -352,7 +361,8 @@ LocusTrace LocusTracer::as_trace(OrbitLocusKind kind, const OrbitCurve& curve,
           critical.multiplier ? std::optional(std::abs(std::arg(critical.multiplier->value)))
                               : std::nullopt);
   OrbitLocus frame;
-  frame.kind = kind;
+  frame.kind = start.kind;
+  frame.level = start.level;
   std::array<LocusEnd, 2> ends;
   for (const std::size_t side : {0u, 1u}) ends[side] = as_locus_end(traced.branch.ends[side], true);
   return assembled(std::move(frame), orbits, sites, ends, std::move(within));

@@ -29,6 +29,10 @@ std::optional<OrbitLocusKind> locus_kind(SpecialKind kind) {
       return OrbitLocusKind::kGrazing;
     case SpecialKind::kChatterCompletes:
       return OrbitLocusKind::kChatterCompletes;
+    case SpecialKind::kLevel:
+      return OrbitLocusKind::kLevel;
+    case SpecialKind::kExtreme:
+      return OrbitLocusKind::kExtreme;
     case SpecialKind::kBranchPoint:
     case SpecialKind::kLiftOff:
       break;
@@ -63,7 +67,7 @@ class LociTracer {
         systems_(scene, {first, second}),
         range_(options_of(options)),
         segment_{0.0, options.branches.finder.max_impacts, options.branches.stop},
-        tracer_(scene, first, second, range_, segment_) {
+        tracer_(scene, first, second, range_, segment_, options.branches.levels) {
     if (are_same_parameter(first, second))
       throw InputError(first + ": a locus takes two parameters that differ from one another");
     if (const auto fault = fault_in(options.branches)) throw InputError(fault->text());
@@ -71,6 +75,7 @@ class LociTracer {
       throw InputError("second_from, second_to: the range must not be empty");
     result_.first = first;
     result_.second = second;
+    result_.levels = names_of(options.branches.levels);
   }
 
   OrbitLoci trace() {
@@ -160,10 +165,17 @@ class LociTracer {
     const LocusStartPlace place{over_first ? moved : fixed, over_first ? fixed : moved,
                                 special.multiplier.value_or(1.0)};
     const Orbit& orbit = special.at.orbit;
-    if (orbit.section)
-      return OrbitLocusStart{*kind, {}, place.first, place.second, place.multiplier, orbit};
-    return locus_start(*family.at(moved), *kind, {orbit.pattern(), orbit.points(), 0},
-                       special.by_speed, place);
+    // Along a branch over the second parameter other orbits are extreme.
+    if (*kind == OrbitLocusKind::kExtreme && !over_first) return {};
+    if (!orbit.meets_stops())
+      return OrbitLocusStart{*kind, {}, place.first, place.second, 1.0, {}, special.level};
+    std::optional<OrbitLocusStart> start =
+        orbit.section
+            ? OrbitLocusStart{*kind, {}, place.first, place.second, place.multiplier, orbit}
+            : locus_start(*family.at(moved), *kind, {orbit.pattern(), orbit.points(), 0},
+                          special.by_speed, place);
+    if (start) start->level = special.level;
+    return start;
   }
 
   bool wants(OrbitLocusKind kind) const {
@@ -204,7 +216,8 @@ class LociTracer {
   std::vector<LocusAnswer> trace_at_once(const std::vector<OrbitLocusStart>& starts) {
     std::vector<LocusAnswer> answers(starts.size());
     while (beside_.size() + 1 < starts.size())
-      beside_.emplace_back(scene_, result_.first, result_.second, range_, segment_);
+      beside_.emplace_back(scene_, result_.first, result_.second, range_, segment_,
+                           options_.branches.levels);
     for_each_index(starts.size(), options_.branches.finder.threads, [&](std::size_t i) {
       LocusTracer& tracer = i == 0 ? tracer_ : beside_[i - 1];
       if (i > 0) tracer.set_closure_speed(tracer_.closure_speed());

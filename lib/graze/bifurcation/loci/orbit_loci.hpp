@@ -34,11 +34,12 @@ struct LociOptions {
 struct OrbitLoci {
   std::string first, second;  // names of the parameters
   std::vector<OrbitLocus> loci;
-  int slices = 0;            // branches were sought on
-  int traces_cut_short = 0;  // of these branches
-  int starts = 0;            // special points that they offered
-  int lost_starts = 0;       // starts from which no locus could be solved for
-  int cut_short = 0;         // loci that could not be followed to an end
+  std::vector<std::string> levels{};  // names of those that were asked for, by OrbitLocus::level
+  int slices = 0;                     // branches were sought on
+  int traces_cut_short = 0;           // of these branches
+  int starts = 0;                     // special points that they offered
+  int lost_starts = 0;                // starts from which no locus could be solved for
+  int cut_short = 0;                  // loci that could not be followed to an end
   long long shooting_evaluations = 0;
   StopReason stopped = StopReason::kNone;
 };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "graze/base/stop_signal.hpp"
+#include "graze/bifurcation/problem/orbit_level.hpp"
 #include "graze/bifurcation/problem/special_orbit.hpp"
 #include "graze/orbit/search/finder_values.hpp"
 #include "graze/system/system.hpp"
@@ -37,6 +38,7 @@ struct BranchOptions {
   // impact (GR) or a stuck phase (CH) more or less, or those of the first windows beyond CH; 0:
   // none.
   int follow_depth = 0;
+  std::vector<OrbitLevel> levels{};  // marked along the branches: UZ and EX
   // Also branches through the orbits of these motions, whatever their period and impacts.
   std::vector<SettledStart> settled{};
   // Instead of all starts: only the branch through it, and those that `follow_depth` leads to.

@@ -16,6 +16,10 @@ SpecialKind as_special_kind(CriticalKind kind) {
       return SpecialKind::kPeriodDoubling;
     case CriticalKind::kTorus:
       return SpecialKind::kTorus;
+    case CriticalKind::kLevel:
+      return SpecialKind::kLevel;
+    case CriticalKind::kExtreme:
+      return SpecialKind::kExtreme;
     case CriticalKind::kBranchPoint:
       break;
   }
@@ -50,6 +54,7 @@ bool is_of_orbits(const CriticalPoint& critical) {
 }
 
 OrbitBranchPoint with_critical(OrbitBranchPoint at, const CriticalPoint& critical) {
+  if (critical.kind == CriticalKind::kLevel || critical.kind == CriticalKind::kExtreme) return at;
   const bool is_pair = critical.kind == CriticalKind::kTorus;
   Complex where = critical.kind == CriticalKind::kPeriodDoubling ? -1.0 : 1.0;
   if (is_pair && critical.multiplier) where = critical.multiplier->value;
@@ -72,6 +77,7 @@ SpecialPoint as_special(const CriticalPoint& critical, OrbitBranchPoint at) {
   SpecialPoint special{
       as_special_kind(critical.kind), "", std::move(at), {}, false, critical.point};
   if (critical.multiplier) special.multiplier = critical.multiplier->known();
+  special.level = critical.level;
   return special;
 }
 

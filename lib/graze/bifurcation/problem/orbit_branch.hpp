@@ -21,8 +21,15 @@ enum class SpecialKind {
   kGrazing,           // GR: an approach touches a stop, an impact speed vanishes, or one with r = 0
                       // begins to stick
   kChatterCompletes,  // CH: a chatter completes at the instant of its release
-  kLiftOff            // LO: the contact force of a structure at rest on a stop touches zero
+  kLiftOff,           // LO: the contact force of a structure at rest on a stop touches zero
+  kLevel,             // UZ: a number of the orbit takes a value (OrbitLevel)
+  kExtreme            // EX: it is largest or smallest along the branch
 };
+
+// UZ and EX.
+inline bool is_of_level(SpecialKind kind) {
+  return kind == SpecialKind::kLevel || kind == SpecialKind::kExtreme;
+}
 
 struct OrbitBranchPoint {
   double value = 0.0;  // of the parameter
@@ -44,6 +51,7 @@ struct SpecialPoint {
   bool interrupted = false;
   // For a grazing: whether an impact that leaves its stop at rest (r = 0) begins to stick there.
   bool by_push = false;
+  std::size_t level = 0;  // for UZ and EX: which of the levels that were asked for
 
   // Phase, rad, and approach speed, m/s, of the orbit's first impact; for a lift-off those of the
   // flight that shrinks to nothing. Returns nullopt when there is neither.
@@ -58,6 +66,7 @@ enum class OrbitBranchEnd {
   kClosed,
   kGrazing,
   kChatterCompletes,
+  kLevel,           // of a number of its orbits
   kAtRest,          // beyond the lift-off there, the structure stays at rest on the stop
   kPeriodDoubling,  // where it joins orbits of half the period
   kImpactsMeet,     // a flight from impact to impact shrinks to nothing: their order would change

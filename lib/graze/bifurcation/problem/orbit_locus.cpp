@@ -12,6 +12,10 @@ const char* label_of(OrbitLocusKind kind) {
       return "NS";
     case OrbitLocusKind::kChatterCompletes:
       return "CH";
+    case OrbitLocusKind::kLevel:
+      return "UZ";
+    case OrbitLocusKind::kExtreme:
+      return "EX";
     case OrbitLocusKind::kGrazing:
       break;
   }

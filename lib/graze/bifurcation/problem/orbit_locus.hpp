@@ -13,19 +13,27 @@
 namespace graze {
 
 enum class OrbitLocusKind {
-  kFold,             // LP
-  kPeriodDoubling,   // PD
-  kTorus,            // NS
-  kGrazing,          // GR: an approach touches a stop, or an impact speed vanishes
-  kChatterCompletes  // CH: a chatter completes at the instant of its release
+  kFold,              // LP
+  kPeriodDoubling,    // PD
+  kTorus,             // NS
+  kGrazing,           // GR: an approach touches a stop, or an impact speed vanishes
+  kChatterCompletes,  // CH: a chatter completes at the instant of its release
+  kLevel,             // UZ: a number of the orbits has a value (OrbitLevel)
+  kExtreme            // EX: it is largest or smallest over the first parameter
 };
 
+// All but those of levels, which are of a user's own.
 inline constexpr std::array<OrbitLocusKind, 5> kOrbitLocusKinds = {
     OrbitLocusKind::kFold, OrbitLocusKind::kPeriodDoubling, OrbitLocusKind::kTorus,
     OrbitLocusKind::kGrazing, OrbitLocusKind::kChatterCompletes};
 
-// "LP", "PD", "NS", "GR", "CH".
+// "LP", "PD", "NS", "GR", "CH", "UZ", "EX".
 const char* label_of(OrbitLocusKind kind);
+
+// UZ and EX.
+inline bool is_of_level(OrbitLocusKind kind) {
+  return kind == OrbitLocusKind::kLevel || kind == OrbitLocusKind::kExtreme;
+}
 
 struct OrbitLocusPoint {
   double value = 0.0, second = 0.0;  // of both parameters
@@ -67,6 +75,7 @@ enum class OrbitLocusEnd {
 struct OrbitLocus {
   int id = 0;  // from 1
   OrbitLocusKind kind = OrbitLocusKind::kFold;
+  std::size_t level = 0;  // of UZ and EX: which of the levels
   // The impacts at its points, on GR with the grazing contact; for orbits that stick, whose impacts
   // come and go, its stuck phases instead.
   ImpactPattern pattern;

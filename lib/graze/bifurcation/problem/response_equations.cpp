@@ -57,8 +57,8 @@ Vector ResponseEquations::packed(const Response& response, double frequency) con
   return u;
 }
 
-std::optional<Vector> ResponseEquations::unknowns_at(double value) const {
-  const System* system = system_at(value);
+std::optional<Vector> ResponseEquations::unknowns_at(Parameters at) const {
+  const System* system = system_at(at);
   const std::optional<Response> response = system ? response_of(*system) : std::nullopt;
   if (!response) return {};
   return packed(*response, system->forcing()->frequency);

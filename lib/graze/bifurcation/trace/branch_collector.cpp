@@ -7,6 +7,7 @@
 #include "graze/bifurcation/problem/detail/response_equations.hpp"
 #include "graze/bifurcation/problem/detail/special_names.hpp"
 #include "graze/bifurcation/problem/grazing_orbit.hpp"
+#include "graze/bifurcation/trace/detail/level_points.hpp"
 #include "graze/bifurcation/trace/detail/orbit_kinds.hpp"
 #include "graze/bifurcation/trace/detail/shown_curve.hpp"
 #include "graze/continuation/switching.hpp"
@@ -48,7 +49,7 @@ bool crosses(SpecialKind kind) {
 }  // namespace
 
 BranchCollector::BranchCollector(const SystemFamily& family, const BranchOptions& options,
-                                 const ShownNumber& shown, OrbitBranches& result)
+                                 const OrbitNumber& shown, OrbitBranches& result)
     : family_(family),
       options_(options),
       shown_(shown),
@@ -58,7 +59,8 @@ BranchCollector::BranchCollector(const SystemFamily& family, const BranchOptions
                 {options.from != options.to ? std::abs(options.to - options.from) : 1.0},
                 motion_scale(*family.at(family.value())), segment_options(options)) {
   problems_.set_boundaries([this](const OrbitProblem& problem) {
-    return boundaries_of(problem, continuation_, options_);
+    return with_level_ends(boundaries_of(problem, continuation_, options_), problem, continuation_,
+                           options_.levels);
   });
   result_.scale = motion_scale(*family.at(family.value()));
   result_.range = std::abs(options.to - options.from);
@@ -81,7 +83,7 @@ bool BranchCollector::trace_from(const Orbit& orbit, double value) {
 void BranchCollector::trace_response(double value) {
   LaidOrbits& orbits = problems_.response();
   const auto& equations = dynamic_cast<const ResponseEquations&>(*orbits.problem);
-  const std::optional<Vector> u = equations.unknowns_at(value);
+  const std::optional<Vector> u = equations.unknowns_at({&value, 1});
   if (!u) return;
   const std::optional<SolutionPoint> point = solve_at(orbits->problem(), continuation_, *u, value);
   if (point && !knows(orbits, *point)) add(trace(orbits, *point, Directions::kBoth), {});
@@ -214,8 +216,10 @@ std::vector<BranchPiece> BranchCollector::trace(LaidOrbits& orbits, const Soluti
     return problems_.clearer(known, solution);
   };
   std::vector<BranchPiece> pieces = trace_pieces(clearer, orbits, continuation_, start, directions);
-  for (BranchPiece& piece : pieces)
+  for (BranchPiece& piece : pieces) {
     if (shown_) resolve_shown(*piece.orbits, continuation_, shown_, piece.branch);
+    mark_levels(*piece.orbits, continuation_, options_.levels, piece.branch);
+  }
   return pieces;
 }
 

@@ -31,13 +31,14 @@ constexpr std::size_t kValuesAtOnce = 8;
 
 class OrbitTracer {
  public:
-  OrbitTracer(const SystemFamily& family, const BranchOptions& options, const ShownNumber& shown)
+  OrbitTracer(const SystemFamily& family, const BranchOptions& options, const OrbitNumber& shown)
       : family_(family),
         options_(options),
         lowest_(std::min(options.from, options.to)),
         highest_(std::max(options.from, options.to)),
         branches_(family, options, shown, result_) {
     result_.parameter = family.parameter();
+    result_.levels = names_of(options.levels);
     const System own = *family.at(family.value());
     followed_ = !own.has_modal_flights();
     const State at_rest{Vector::Zero(own.modes()), Vector::Zero(own.modes())};
@@ -301,11 +302,11 @@ class OrbitTracer {
 }  // namespace
 
 OrbitBranches trace_orbits(const SystemFamily& family, const BranchOptions& options) {
-  return trace_orbits(family, options, ShownNumber());
+  return trace_orbits(family, options, OrbitNumber());
 }
 
 OrbitBranches trace_orbits(const SystemFamily& family, const BranchOptions& options,
-                           const ShownNumber& shown) {
+                           const OrbitNumber& shown) {
   if (const auto fault = fault_in(options)) throw InputError(fault->text());
   return OrbitTracer(family, options, shown).trace();
 }

@@ -14,6 +14,7 @@ namespace graze {
 struct OrbitBranches {
   std::string parameter;
   std::vector<OrbitBranch> branches;
+  std::vector<std::string> levels{};  // names of those that were marked, by SpecialPoint::level
   // Units of the unknowns in the solutions at special points, and the range of the parameter in
   // which their tangents are given.
   MotionScale scale;

@@ -5,6 +5,7 @@
 #include "graze/bifurcation/cut/detail/flight_locus.hpp"
 #include "graze/bifurcation/cut/detail/release_boundaries.hpp"
 #include "graze/bifurcation/cut/detail/response_boundaries.hpp"
+#include "graze/bifurcation/cut/detail/response_locus.hpp"
 #include "graze/bifurcation/cut/detail/segment_locus.hpp"
 
 namespace graze {
@@ -25,6 +26,8 @@ std::unique_ptr<BranchBoundaries> boundaries_of(const OrbitProblem& problem,
 std::unique_ptr<LocusOrbits> orbits_along(const OrbitProblem& problem) {
   if (const auto* flights = dynamic_cast<const FlightEquations*>(&problem))
     return std::make_unique<FlightLocus>(*flights);
+  if (const auto* response = dynamic_cast<const ResponseEquations*>(&problem))
+    return std::make_unique<ResponseLocus>(*response);
   const auto& segments = dynamic_cast<const SegmentEquations&>(problem);
   if (segments.layout().released) return std::make_unique<ReleaseLocus>(segments);
   return std::make_unique<FixedPhaseLocus>(segments);

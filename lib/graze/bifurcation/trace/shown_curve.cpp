@@ -23,7 +23,7 @@ constexpr int kHalvings = 10;
 
 class ShownCurve {
  public:
-  ShownCurve(const LaidOrbits& orbits, const ContinuationOptions& options, const ShownNumber& shown,
+  ShownCurve(const LaidOrbits& orbits, const ContinuationOptions& options, const OrbitNumber& shown,
              Branch& branch)
       : orbits_(orbits),
         options_(options),
@@ -62,7 +62,8 @@ class ShownCurve {
   Node node_of(const SolutionPoint& point) const {
     Node node{point, {}};
     if (const std::optional<OrbitBranchPoint> at = orbits_->judge(point)) {
-      node.shown = shown_(point.parameter, at->orbit);
+      if (const System* system = orbits_->system_at(point.parameters()))
+        node.shown = shown_(orbits_->scene_at(point.parameters()), *system, at->orbit);
       node.is_listed = orbits_.boundaries->lists(point);
     }
     return node;
@@ -144,7 +145,7 @@ class ShownCurve {
 
   const LaidOrbits& orbits_;
   const ContinuationOptions& options_;
-  const ShownNumber& shown_;
+  const OrbitNumber& shown_;
   Branch& branch_;
   Corrector corrector_;
   std::list<Node> nodes_;
@@ -154,7 +155,7 @@ class ShownCurve {
 }  // namespace
 
 void resolve_shown(const LaidOrbits& orbits, const ContinuationOptions& options,
-                   const ShownNumber& shown, Branch& branch) {
+                   const OrbitNumber& shown, Branch& branch) {
   ShownCurve(orbits, options, shown, branch).resolve();
 }
 

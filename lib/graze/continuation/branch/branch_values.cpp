@@ -16,6 +16,10 @@ const char* label_of(CriticalKind kind) {
       return "PD";
     case CriticalKind::kTorus:
       return "NS";
+    case CriticalKind::kLevel:
+      return "UZ";
+    case CriticalKind::kExtreme:
+      return "EX";
     case CriticalKind::kBranchPoint:
       break;
   }

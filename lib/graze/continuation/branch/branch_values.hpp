@@ -98,10 +98,12 @@ enum class CriticalKind {
   kFold,            // LP: the branch turns back
   kPeriodDoubling,  // PD: a multiplier passes -1
   kTorus,           // NS: a complex pair of multipliers passes the unit circle
-  kBranchPoint      // BP: another branch of solutions crosses
+  kBranchPoint,     // BP: another branch of solutions crosses
+  kLevel,           // UZ: a number of the caller's own takes a value
+  kExtreme          // EX: it is largest or smallest
 };
 
-// "LP", "PD", "NS", "BP".
+// "LP", "PD", "NS", "BP", "UZ", "EX".
 const char* label_of(CriticalKind kind);
 
 // A special point.
@@ -111,6 +113,7 @@ struct CriticalPoint {
   std::size_t after = 0;                 // lies between points after and after + 1
   std::optional<Eigenvalue> multiplier;  // the critical one; of a pair the one with positive
                                          // imaginary part
+  std::size_t level = 0;                 // of UZ and EX: which of the numbers
 };
 
 struct Branch {

@@ -154,9 +154,10 @@ std::optional<SolutionPoint> Corrector::at_parameter(const Vector& guess) {
 
 Vector Corrector::difference(const Vector& x, const Vector& y) const {
   Vector d = x - y;
-  if (problem_.wrap.size() == 0) return d;
+  const double turn = problem_.wrap.squaredNorm();  // 0 where no unknown is periodic
+  if (turn == 0.0) return d;
   const Eigen::Index n = problem_.wrap.size();
-  const double rounds = d.head(n).dot(problem_.wrap) / problem_.wrap.squaredNorm();
+  const double rounds = d.head(n).dot(problem_.wrap) / turn;
   d.head(n) -= std::round(rounds) * problem_.wrap;
   return d;
 }

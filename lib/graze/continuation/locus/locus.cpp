@@ -121,10 +121,10 @@ class EquationLocusTracer {
     if (problem_.wrap.size() > 0) zero.wrap = equations_.pack(problem_.wrap, 0.0, 0.0);
     curve_.first = n_;
     if (kind_ == LocusKind::kTorus) curve_.ranges = {{n_ + 1, 0.0, kPi, 0.0}};
-    curve_.tests = [this](const SolutionPoint& from, const SolutionPoint& at) {
+    curve_.tests.all = [this](const SolutionPoint& from, const SolutionPoint& at) {
       return tests(from, at);
     };
-    curve_.test = [this](const SolutionPoint& from, const SolutionPoint& at, Eigen::Index k) {
+    curve_.tests.one = [this](const SolutionPoint& from, const SolutionPoint& at, Eigen::Index k) {
       return test(from, at, k);
     };
     curve_.resolves = [this](const SolutionPoint& from, const SolutionPoint& to) {
@@ -242,6 +242,8 @@ class EquationLocusTracer {
         if (kind_ == LocusKind::kFold) return LocusPointKind::kFoldTorus;
         return kind_ == LocusKind::kTorus ? LocusPointKind::kTwoTori
                                           : LocusPointKind::kDoublingTorus;
+      case CriticalKind::kLevel:
+      case CriticalKind::kExtreme:
       case CriticalKind::kBranchPoint:
         return LocusPointKind::kCrossing;
     }

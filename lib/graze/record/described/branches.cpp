@@ -51,7 +51,8 @@ const char* way_of_grazing(const SpecialPoint& special) {
   return special.by_speed ? "impact speed vanishes" : "interior approach touches";
 }
 
-void describe_special(ResultVisitor& v, const SpecialPoint& special, int branch) {
+void describe_special(ResultVisitor& v, const SpecialPoint& special, int branch,
+                      const std::vector<std::string>& levels) {
   const std::optional<SpecialPoint::Impact> impact = special.impact();
   v.field({"id", "", "`LP1`, .."}, special.id);
   v.field({"label", "", "`LP`, `GR`, .."}, label_of(special.kind));
@@ -64,6 +65,9 @@ void describe_special(ResultVisitor& v, const SpecialPoint& special, int branch)
   v.field(Field{"multiplier", "", "the critical one, as [re, im]; null at GR"}.as(
               "multiplier_re,multiplier_im"),
           special.multiplier);
+  if (!levels.empty())
+    v.field({"level", "", "at UZ and EX the one that was asked for, `stop.1.speed=0.5`; else null"},
+            named_level(levels, is_of_level(special.kind), special.level));
   v.field(Field{"admissible"}.document(), special.at.orbit.admissible);
   const std::optional<Bracket>& bracket = special.solution.bracket;
   if (const auto some = v.where(bracket.has_value(), "where it was enclosed")) {
@@ -121,7 +125,7 @@ void describe_branch(ResultVisitor& v, const OrbitBranch& branch, const BranchRe
          });
   v.list({"special", "", "special points"}, branch.special,
          [&](const SpecialPoint& special, std::size_t i) {
-           v.row("special", [&] { describe_special(v, special, branch.id); });
+           v.row("special", [&] { describe_special(v, special, branch.id, record.traced.levels); });
            describe_size(measured ? &measured->special : nullptr, i);
          });
 }

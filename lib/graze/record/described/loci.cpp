@@ -25,9 +25,16 @@ void describe_point(ResultVisitor& v, OrbitLocusKind kind, const OrbitLocusPoint
     describe_impacts(v, point.impacts);
 }
 
-void describe_locus(ResultVisitor& v, const OrbitLocus& locus) {
+void describe_locus(ResultVisitor& v, const OrbitLocus& locus,
+                    const std::vector<std::string>& levels) {
   v.field(Field{"id", "", "from 1"}.as("locus").in("loci"), locus.id);
-  v.field(Field{"label", "", "`LP`, `PD`, `NS`, `GR`, `CH`"}.in("loci"), label_of(locus.kind));
+  v.field(Field{"label", "", "`LP`, `PD`, `NS`, `GR`, `CH`, `UZ`, `EX`"}.in("loci"),
+          label_of(locus.kind));
+  if (!levels.empty())
+    v.field(
+        Field{"level", "", "on UZ and EX the one that was asked for, `stop.1.speed=0.5`; else null"}
+            .in("loci"),
+        named_level(levels, is_of_level(locus.kind), locus.level));
   v.field(Field{"period", "", "p"}.in("loci"), locus.pattern.period);
   v.field({"impacts", "", "on GR with the grazing contact; null where the orbits stick"},
           locus.sticks() ? std::nullopt : std::optional(locus.pattern.impacts()));
@@ -139,7 +146,7 @@ void describe_regions(ResultVisitor& v, const StableRegions& regions,
 
 void describe_loci(ResultVisitor& v, const OrbitLoci& traced) {
   v.list({"loci", "", "with `--locus`"}, traced.loci,
-         [&](const OrbitLocus& locus, std::size_t) { describe_locus(v, locus); });
+         [&](const OrbitLocus& locus, std::size_t) { describe_locus(v, locus, traced.levels); });
   v.part({"counters", "", "of what was done"}, [&] {
     v.field({"slices", "", "on which branches were traced"}, traced.slices);
     v.field({"starts", "", "special points of these"}, traced.starts);

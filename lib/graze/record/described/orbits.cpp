@@ -134,8 +134,7 @@ void describe_profile(ResultVisitor& v, const OrbitRecord& record, std::size_t k
   std::vector<std::vector<std::vector<CurveSample>>> curves(record.places.size());
   const Orbit* orbit = entry(record.found.orbits, k);
   for (std::size_t i = 0; orbit && !v.sees_all() && i < curves.size(); ++i)
-    curves[i] =
-        orbit_curve(record.system, *orbit, record.places[i].seen, kProfileSamplesPerPeriod);
+    curves[i] = orbit_curve(record.system, *orbit, record.places[i].seen, kProfileSamplesPerPeriod);
   const auto describe_sample = [&](std::size_t flight, std::size_t i) {
     const auto sample = [&](std::size_t place) {
       return curves[place].empty() ? CurveSample{} : curves[place][flight][i];

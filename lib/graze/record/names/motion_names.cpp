@@ -119,6 +119,8 @@ std::string name_of(OrbitBranchEnd end) {
       return "GR";
     case OrbitBranchEnd::kChatterCompletes:
       return "CH";
+    case OrbitBranchEnd::kLevel:
+      return "UZ";
     case OrbitBranchEnd::kAtRest:
       return "at rest";
     case OrbitBranchEnd::kPeriodDoubling:

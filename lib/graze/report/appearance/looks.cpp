@@ -34,7 +34,9 @@ const std::vector<Look> kSpecial = {
     mark("NS", "torus (NS)", kSky, MarkShape::kDiamond, false, 1.0),
     mark("GR", "grazing (GR)", kGreen, MarkShape::kUp, true, 1.0),
     mark("CH", "chatter ends (CH)", kOrange, MarkShape::kDown, true, 1.0),
-    mark("LO", "lift-off (LO)", kOrange, MarkShape::kPentagon, true, 1.0)};
+    mark("LO", "lift-off (LO)", kOrange, MarkShape::kPentagon, true, 1.0),
+    mark("UZ", "level (UZ)", kIndigo, MarkShape::kPentagon, false, 0.9),
+    mark("EX", "extreme (EX)", kVermillion, MarkShape::kDiamond, true, 1.0)};
 const Look kVirtualSpecial =
     mark("virtual point", "virtual special point", kGrey, MarkShape::kDot, false, 0.6);
 const Look kUnknownSpecial = mark("", "", kBlack, MarkShape::kSquare, true, 0.9);
@@ -47,6 +49,8 @@ const std::vector<Look> kLoci = {
     {.id = "NS", .title = "torus (NS)", .colour = kSky, .dashes = {10, 3, 2, 3}},
     {.id = "GR", .title = "grazing (GR)", .colour = kGreen, .dashes = {4, 4}},
     {.id = "CH", .title = "chatter ends (CH)", .colour = kOrange, .dashes = {14, 3, 2, 3, 2, 3}},
+    {.id = "UZ", .title = "level (UZ)", .colour = kIndigo, .width = 1.4},
+    {.id = "EX", .title = "extreme (EX)", .colour = kVermillion, .dashes = {2, 4}},
     {.id = "virtual", .title = "virtual", .colour = kGrey, .width = 0.9}};
 
 Look dot(const char* id, const char* title, const char* colour) {

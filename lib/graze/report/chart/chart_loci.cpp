@@ -110,6 +110,8 @@ void add_loci(const OrbitLoci& traced, ChartPanel& panel, ChartThings* things) {
             [](const ChartName& one, const ChartName& other) { return one.text < other.text; });
   std::vector<ChartSeries> all = {std::move(by_kind.at("virtual"))};
   for (const OrbitLocusKind kind : kOrbitLocusKinds) all.push_back(by_kind.at(label_of(kind)));
+  for (const OrbitLocusKind kind : {OrbitLocusKind::kLevel, OrbitLocusKind::kExtreme})
+    all.push_back(by_kind.at(label_of(kind)));
   special.look.size *= crowded_mark_size(special.x.size() / 4);
   all.push_back(std::move(special));
   for (ChartSeries& series : all)

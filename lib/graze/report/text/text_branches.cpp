@@ -149,15 +149,28 @@ std::string speed_text(const SpecialPoint& special, double speed) {
 
 std::string special_text(const BranchRecord& record, const TextOptions& options) {
   const TextUnits in(record.info.units);
-  Table table({"point", "branch", with_unit(record.traced.parameter, record.unit),
-               in.head("phase", "rad"), in.head("speed", "m/s"), "multiplier"});
+  const std::vector<std::string>& levels = record.traced.levels;
+  std::vector<std::string> heads = {"point",
+                                    "branch",
+                                    with_unit(record.traced.parameter, record.unit),
+                                    in.head("phase", "rad"),
+                                    in.head("speed", "m/s"),
+                                    "multiplier"};
+  if (!levels.empty()) heads.emplace_back("level");
+  Table table(heads);
   for (const Meeting& meeting : meetings_of(record)) {
     const SpecialPoint& special = *meeting.point;
     const std::optional<SpecialPoint::Impact> impact = special.impact();
-    table.add({meeting.ids, meeting.branches, digits_text(special.at.value, 13),
-               impact ? decimals_text(impact->phase, 9) : "-",
-               impact ? speed_text(special, impact->speed) : "-",
-               special.multiplier ? complex_text(*special.multiplier, 7) : "-"});
+    std::vector<std::string> row = {
+        meeting.ids,
+        meeting.branches,
+        digits_text(special.at.value, 13),
+        impact ? decimals_text(impact->phase, 9) : "-",
+        impact ? speed_text(special, impact->speed) : "-",
+        special.multiplier ? complex_text(*special.multiplier, 7) : "-"};
+    const bool of_level = is_of_level(special.kind) && special.level < levels.size();
+    if (!levels.empty()) row.push_back(of_level ? levels[special.level] : "-");
+    table.add(row);
   }
   return table.empty() ? "" : table.text(options.width) + "\n";
 }

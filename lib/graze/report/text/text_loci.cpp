@@ -29,10 +29,14 @@ std::string to_text(const LociRecord& record, const TextOptions& options) {
   const std::string second = with_unit(traced.second, record.second_unit);
   Table loci({"locus", "kind", "orbit", "points", first, second, "ends"});
   Table special({"point", "locus", first, second});
+  const auto kind_text = [&](const OrbitLocus& locus) {
+    const bool of_level = is_of_level(locus.kind) && locus.level < traced.levels.size();
+    return label_of(locus.kind) + (of_level ? " " + traced.levels[locus.level] : std::string());
+  };
   for (const OrbitLocus& locus : traced.loci) {
     const bool closed = locus.ends[0] == OrbitLocusEnd::kClosed;
     loci.add(
-        {fmt::format("{}", locus.id), label_of(locus.kind),
+        {fmt::format("{}", locus.id), kind_text(locus),
          locus.sticks() ? fmt::format("({}, stick)", locus.pattern.period)
                         : fmt::format("({}, {})", locus.pattern.period, locus.pattern.impacts()),
          fmt::format("{}", locus.points.size()), span(locus, &OrbitLocusPoint::value),

@@ -10,6 +10,7 @@
 
 #include "graze/bifurcation/loci/detail/orbit_curve.hpp"
 #include "graze/bifurcation/loci/locus_continuations.hpp"
+#include "graze/bifurcation/problem/orbit_level.hpp"
 #include "graze/bifurcation/trace/detail/orbit_problems.hpp"
 #include "graze/continuation/branch/detail/known_branch.hpp"
 #include "graze/continuation/locus/detail/known_loci.hpp"
@@ -28,10 +29,11 @@ struct LocusAnswer {
 // For one thread at a time.
 class LocusTracer {
  public:
-  // Requires that the scene allows its own values. Refers to the scene. `segment`: as of
-  // OrbitProblems.
+  // Requires that the scene allows its own values. Refers to the scene and to the levels.
+  // `segment`: as of OrbitProblems.
   LocusTracer(const Scene& scene, const std::string& first, const std::string& second,
-              const LocusOptions& options, const SegmentOptions& segment);
+              const LocusOptions& options, const SegmentOptions& segment,
+              const std::vector<OrbitLevel>& levels);
   LocusTracer(const LocusTracer&) = delete;
   LocusTracer& operator=(const LocusTracer&) = delete;
 
@@ -54,7 +56,7 @@ class LocusTracer {
     std::unique_ptr<LocusOrbits> orbits;
     std::map<OrbitLocusKind, KnownLoci> traced;
   };
-  // Curves of a kind of one layout, of grazing contacts at one stop.
+  // Curves of a kind of one layout, of grazing contacts at one stop or of one level.
   struct Curves {
     std::unique_ptr<OrbitCurve> curve;
     std::vector<KnownBranch> traced{};
@@ -79,8 +81,13 @@ class LocusTracer {
   CurveStart flight_grazing(const OrbitLocusStart& start);
   CurveStart segment_grazing(const OrbitLocusStart& start);
   CurveStart completion(const OrbitLocusStart& start);
+  CurveStart level(const OrbitLocusStart& start);
+  CurveStart level_from(const OrbitLocusStart& start, const Written& one);
+  std::vector<CurveStart> forms_of(const OrbitLocusStart& start);
+  bool is_known(const CurveStart& at, double second) const;
   LocusTrace as_trace(OrbitLocusKind kind, const LocusOrbits& orbits, const Locus& locus) const;
-  LocusTrace as_trace(OrbitLocusKind kind, const OrbitCurve& curve, const PlaneCurve& traced) const;
+  LocusTrace as_trace(const OrbitLocusStart& start, const OrbitCurve& curve,
+                      const PlaneCurve& traced) const;
   // `sites`: of the points, including those beyond its ends.
   struct Within;
   LocusTrace assembled(OrbitLocus frame, const LocusOrbits& orbits,
@@ -88,11 +95,13 @@ class LocusTracer {
                        std::vector<Within> within) const;
 
   LocusOptions options_;
+  const std::vector<OrbitLevel>& levels_;
   MotionScale scale_;
   OrbitProblems problems_;
   std::optional<double> closure_speed_;  // m/s, that of the first orbit that is followed
   std::map<const OrbitProblem*, Critical> critical_;
-  std::map<std::pair<const OrbitProblem*, int>, Curves> curves_;  // by stop; -1: of CH
+  std::map<std::pair<const OrbitProblem*, int>, Curves>
+      curves_;  // by stop; -1: of CH, -2, ..: of levels
 };
 
 }  // namespace graze

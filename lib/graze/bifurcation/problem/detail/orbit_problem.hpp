@@ -42,6 +42,11 @@ class OrbitProblem {
   const System* tangent_at(Parameters at, std::size_t parameter = 0) const {
     return systems_.tangent_at(at, parameter);
   }
+  // The scene at these values, which must be allowed.
+  const Scene& scene_at(Parameters at) const {
+    systems_.at(at);
+    return systems_.scene();
+  }
   // The derivatives by every parameter, for allowed values; empty where one does not exist.
   std::vector<const System*> tangents_at(Parameters at) const;
 

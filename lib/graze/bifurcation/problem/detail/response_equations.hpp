@@ -22,7 +22,7 @@ class ResponseEquations : public OrbitProblem {
   // Returns nullopt when the scene does not allow the value, or there is no response.
   std::optional<Response> response(const SolutionPoint& solution) const;
   // The unknowns at a value; nullopt likewise.
-  std::optional<Vector> unknowns_at(double value) const;
+  std::optional<Vector> unknowns_at(Parameters at) const;
 
   std::optional<OrbitBranchPoint> judge(const SolutionPoint& solution) const override;
   void name(OrbitBranch& branch) const override { branch.pattern = {}; }

@@ -19,6 +19,10 @@ inline std::string label_of(SpecialKind kind) {
       return label_of(CriticalKind::kTorus);
     case SpecialKind::kBranchPoint:
       return label_of(CriticalKind::kBranchPoint);
+    case SpecialKind::kLevel:
+      return label_of(CriticalKind::kLevel);
+    case SpecialKind::kExtreme:
+      return label_of(CriticalKind::kExtreme);
     case SpecialKind::kGrazing:
       return "GR";
     case SpecialKind::kChatterCompletes:

@@ -21,7 +21,7 @@ class BranchCollector {
   // Refers to all of them; counts in `result`. Points are added until the curve of `shown` is
   // smooth; empty: branches are left as they were traced.
   BranchCollector(const SystemFamily& family, const BranchOptions& options,
-                  const ShownNumber& shown, OrbitBranches& result);
+                  const OrbitNumber& shown, OrbitBranches& result);
 
   // Traces the branch through the orbit, or through the solution near these impacts, unless it is
   // known already or not to be listed. Returns whether there is a solution.
@@ -73,7 +73,7 @@ class BranchCollector {
 
   const SystemFamily& family_;
   const BranchOptions& options_;
-  const ShownNumber& shown_;
+  const OrbitNumber& shown_;
   OrbitBranches& result_;
   ContinuationOptions continuation_;
   OrbitProblems problems_;

@@ -9,6 +9,6 @@ namespace graze {
 
 // `branch` is one of these orbits, traced with these options. Stops when their signal is given.
 void resolve_shown(const LaidOrbits& orbits, const ContinuationOptions& options,
-                   const ShownNumber& shown, Branch& branch);
+                   const OrbitNumber& shown, Branch& branch);
 
 }  // namespace graze

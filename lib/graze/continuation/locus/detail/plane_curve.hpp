@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "graze/continuation/branch/branch_values.hpp"
 #include "graze/continuation/branch/zero_problem.hpp"
 #include "graze/continuation/locus/locus_values.hpp"
+#include "graze/continuation/special/detail/test_zeros.hpp"
 
 namespace graze {
 
@@ -19,26 +19,12 @@ struct PlaneCurveProblem {
   ZeroProblem problem;                 // over q
   Eigen::Index first = 0;              // where its unknown has p/range
   std::vector<UnknownRange> ranges{};  // ranges of further unknowns, at which the curve ends, too
-  // Values of the test functions at `at`, which is a neighbour of `from` or `from` itself: smooth
-  // along the curve for a fixed `from`, with signs that do not depend on it. Returns nullopt when
-  // they cannot be computed. Empty function: no tests.
-  std::function<std::optional<Vector>(const SolutionPoint& from, const SolutionPoint& at)> tests{};
-  // The k-th test alone. Empty: all are computed.
-  std::function<std::optional<double>(const SolutionPoint& from, const SolutionPoint& at,
-                                      Eigen::Index k)>
-      test{};
+  BranchTests tests{};                 // none where it gives none
   // As in ContinuationOptions.
   std::function<bool(const SolutionPoint& from, const SolutionPoint& to)> resolves{};
   // Called with every new point of the curve and the previous one; false ends the curve there.
   // Empty: goes on.
   std::function<bool(const SolutionPoint& previous, const SolutionPoint& here)> proceed{};
-};
-
-// Where a test passes zero.
-struct TestZero {
-  std::size_t test = 0;  // which of the tests
-  SolutionPoint point;
-  std::size_t after = 0;  // lies between points after and after + 1
 };
 
 struct PlaneCurve {

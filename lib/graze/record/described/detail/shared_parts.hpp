@@ -3,7 +3,10 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "graze/motion/amplitudes.hpp"
 #include "graze/record/described/detail/result_visitor.hpp"
@@ -18,6 +21,12 @@ struct OrbitLoci;
 template <class List>
 auto entry(const List& list, std::size_t i) -> decltype(&list[i]) {
   return i < list.size() ? &list[i] : nullptr;
+}
+
+// The name of a level, where there is one.
+inline std::optional<std::string_view> named_level(const std::vector<std::string>& levels,
+                                                   bool is_level, std::size_t which) {
+  return is_level && which < levels.size() ? named(levels[which]) : std::nullopt;
 }
 
 // The same of numbers; not finite beyond its end.

@@ -1,0 +1,24 @@
+// The response that meets no stop along a locus: it is halted where the response touches one.
+#pragma once
+
+#include "graze/bifurcation/cut/detail/locus_orbits.hpp"
+#include "graze/bifurcation/problem/detail/response_equations.hpp"
+
+namespace graze {
+
+class ResponseLocus : public LocusOrbits {
+ public:
+  explicit ResponseLocus(const ResponseEquations& equations) : equations_(equations) {}
+
+  std::optional<LocusPlace> place(const LocusSite& at,
+                                  std::optional<LocusMargin> zero) const override;
+  ImpactPattern pattern(const std::vector<LocusPlace>& /*places*/) const override { return {}; }
+  bool goes_on(const LocusSite& /*previous*/, const LocusSite& here) const override;
+
+ private:
+  std::optional<Orbit> orbit(const LocusSite& at) const;
+
+  const ResponseEquations& equations_;
+};
+
+}  // namespace graze
