@@ -131,6 +131,10 @@ int run(const ContinueCommand& command) {
   require_harmonics(scene);
   BranchOptions options = branch_options(command);
   if (restart) start_from(*restart, command, options);
+  if (std::optional<SettledStart> state = read_state(command, scene)) {
+    options.settled = {std::move(*state)};
+    options.impacts = 0;  // nothing is searched for
+  }
   options.levels = levels_of(command, command.curve_at, scene);
   const SystemFamily family(scene, command.parameter);
   BranchRecord record{info_of_call(command, scene),

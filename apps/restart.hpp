@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "command.hpp"
+#include "graze/bifurcation/problem/branch_options.hpp"
 #include "graze/bifurcation/problem/special_orbit.hpp"
 #include "graze/record/file/run_info.hpp"
 #include "graze/scene/scene.hpp"
@@ -19,10 +20,14 @@ struct Restart {
   Scene scene;                          // the one given, with the values of the special point
 };
 
-// What --restart and --label name; nullopt when they are not given. Throws InputError where there
-// is no such point, where `scene` differs from that of the run in what its orbits depend on, and
-// where --out is the run's own folder.
+// What --restart and --label, or --from-orbit and --orbit name; nullopt when they are not given.
+// Throws InputError where there is no such point, where `scene` differs from that of the run in
+// what its orbits depend on, and where --out is the run's own folder.
 std::optional<Restart> read_restart(const ContinueCommand& command, const Scene& scene);
+
+// The start that --from-state names, at the scene's own value of the parameter; nullopt when it is
+// not given. Throws InputError likewise, and where the table does not fit the scene.
+std::optional<SettledStart> read_state(const ContinueCommand& command, const Scene& scene);
 
 // The point's own value of a parameter. Throws InputError where the scene has no such parameter, or
 // the value lies outside the range asked for.

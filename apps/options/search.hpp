@@ -64,6 +64,10 @@ struct LevelOptions {
 struct RestartOptions {
   std::string folder, label;  // empty: none
   bool switched = false;      // onto the other branch there
+  std::string orbit_folder;   // in place of a special point: an orbit of that run,
+  int orbit = 1;              // by its number or the row of its branch point
+  std::string state;          // or the state of a motion: a folder of a run, or a table
+  bool is_given() const { return !folder.empty() || !orbit_folder.empty() || !state.empty(); }
 };
 
 // What is traced of the parameter's range.
@@ -198,6 +202,22 @@ void describe_restart(auto& v, RestartOptions& o) {
          "With --restart: onto the branch that begins or crosses there: doubled orbits at PD, the "
          "crossing branch at BP, one impact more or less at GR",
          Needs{{"restart"}}, Excludes{{"locus"}}, kOfResult.where(o.switched));
+  v.option("from_orbit", o.orbit_folder, "DIR",
+           "Start from an orbit of the run that --out left in this folder, of graze orbit, or any "
+           "point of a branch of graze continue or diagram",
+           Excludes{{"restart", "period", "impacts", "start", "random_seed", "slices", "locus"}},
+           kOfResult);
+  v.option("orbit", o.orbit, "N",
+           "With --from-orbit: the orbit's number, or the row of branches.csv, from 1",
+           whole_number_within(1, 100'000'000), Needs{{"from_orbit"}},
+           kOfResult.where(!o.orbit_folder.empty()));
+  v.option(
+      "from_state", o.state, "FILE",
+      "Start from the orbit of --period that goes through a state, stable or not: the end of the "
+      "run that graze simulate --out left in a folder, or the first row of a table, at t = 0, of "
+      "time, displacements and velocities",
+      Excludes{{"restart", "from_orbit", "impacts", "start", "random_seed", "slices", "locus"}},
+      kOfResult);
 }
 
 }  // namespace graze

@@ -38,7 +38,7 @@ void describe(auto& v, ContinueCommand& o) {
   describe_scene(v, o);
   describe(v, o.plot, kFeatures<BranchRecord>);
   describe_range(v, o);
-  const Recorded recorded = kOfResult.where(o.restart.folder.empty());
+  const Recorded recorded = kOfResult.where(!o.restart.is_given());
   describe_search(v, o, recorded);
   describe_branch_kind(
       v, o, recorded.as(o.any_impacts ? "any" : std::to_string(o.impacts.value_or(1))), kOfResult);
@@ -56,7 +56,7 @@ void describe(auto& v, ContinueCommand& o) {
            finite_number(), Needs{{"second"}}, kOfResult);
   v.option("second_to", o.second_to, "D", "End of the second parameter's range", finite_number(),
            Needs{{"second"}}, kOfResult);
-  describe_slices(v, o, kOfResult.where(o.restart.folder.empty()));
+  describe_slices(v, o, kOfResult.where(!o.restart.is_given()));
   v.option("regions", o.regions, "N",
            "With --locus: say what is stable at N by N places of the plane, checked by simulation, "
            "and draw it behind the loci",

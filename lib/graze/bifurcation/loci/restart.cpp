@@ -104,6 +104,20 @@ std::vector<SpecialOrbit> special_orbits(const OrbitLoci& traced) {
   return list;
 }
 
+SpecialOrbit orbit_to_start_from(const Orbit& orbit, const std::string& id,
+                                 std::optional<double> value) {
+  SpecialOrbit one;
+  one.id = id;
+  if (value) one.values = {*value};
+  if (orbit.section) {
+    one.followed = as_followed(orbit.period, value.value_or(0.0), *orbit.section);
+  } else {
+    one.pattern = orbit.pattern();
+    one.impacts = orbit.points();
+  }
+  return one;
+}
+
 std::optional<OrbitLocusStart> locus_start(const System& system, const SpecialOrbit& special,
                                            double first, double second) {
   const std::optional<OrbitLocusKind> kind = locus_of(special);

@@ -17,6 +17,11 @@ std::vector<SpecialOrbit> special_orbits(const OrbitBranches& traced, const Syst
 // Those of all loci, in their order.
 std::vector<SpecialOrbit> special_orbits(const OrbitLoci& traced);
 
+// Any orbit, to start from; `value`: of the parameter of its branch, nullopt of one that was found by
+// itself.
+SpecialOrbit orbit_to_start_from(const Orbit& orbit, const std::string& id,
+                                 std::optional<double> value);
+
 // A start of the locus that a special point lies on, over two parameters with these values there.
 // Returns nullopt when it has none: a point of a branch that is not LP, PD, NS or GR, or whose
 // orbit sticks or begins to.

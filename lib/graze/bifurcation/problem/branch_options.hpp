@@ -14,10 +14,11 @@
 namespace graze {
 
 // A state at the start of a forcing period, of a motion that has settled at a value of the
-// parameter.
+// parameter, or of an orbit of so many forcing periods.
 struct SettledStart {
   double value = 0.0;
   State state;
+  int period = 0;  // p of the orbit; 0: not known
 };
 
 struct BranchOptions {

@@ -238,8 +238,9 @@ class OrbitTracer {
   }
 
   void trace_from_settled() {
-    for (const auto& [value, state] : options_.settled)
-      if (!options_.stop.requested()) trace_settled(value, state, Wanted::kAny);
+    for (const SettledStart& start : options_.settled)
+      if (!options_.stop.requested())
+        trace_settled(start.value, start.state, Wanted::kAny, start.period);
     result_.cut_settled = result_.cut_short;
   }
 
@@ -258,11 +259,12 @@ class OrbitTracer {
     kSticking  // with the period that is sought
   };
   // Traces the branch of the orbit that the motion from a state settles on, if it is wanted.
-  void trace_settled(double value, const State& start, Wanted wanted) {
+  void trace_settled(double value, const State& start, Wanted wanted, int period = 0) {
     const std::optional<System> system = family_.at(value);
     if (!system) return;
     SettleOptions settling;
     settling.periods = kPeriodsToStick;
+    settling.repeats_after = period;
     settling.max_impacts = options_.finder.max_impacts;
     settling.closure_speed = closure_speed_;
     settling.stop = options_.stop;

@@ -58,6 +58,9 @@ struct SettleOptions {
   // system's scale) is less than this. nullopt: stop when the motion repeats; 0: run all the
   // periods.
   std::optional<double> nearness;
+  // Taken to repeat after so many periods, whatever the differences: a motion that starts on an
+  // orbit, stable or not. 0: found out.
+  int repeats_after = 0;
   long long tail = 100;                            // periods kept where nothing repeats
   std::string from = "the scene's initial state";  // for the classification: where it starts
   StopSignal stop;

@@ -68,7 +68,10 @@ bool Settling::add_impact(int stop, double local, double speed, const Vector& q,
 
 void Settling::end_period(const Vector& q, const Vector& qdot, PeriodHistory::Contacts contacts) {
   history_.end_period(q, qdot, contacts);
-  look_back(q, qdot, !contacts.any);
+  if (options_.repeats_after == 0)
+    look_back(q, qdot, !contacts.any);
+  else if (history_.periods() == options_.repeats_after)
+    conclude_periodic(options_.repeats_after);
   in_period_ = 0;
   if (!over_ && history_.periods() >= options_.periods) conclude_unsettled();
 }
