@@ -8,8 +8,10 @@ namespace graze {
 bool are_usable(const ComplexModes& modes, const FirstOrderSystem& system, double quickest) {
   if (!(modes.condition <= kLargestLoss * static_cast<double>(system.load.size()))) return false;
   const bool loaded = system.loads_vary || system.load.squaredNorm() > 0.0;
+  // Without a force nothing is at resonance: several harmonics are motions of their own.
+  const bool forced = system.frequency > 0.0 && system.force.squaredNorm() > 0.0;
   for (const Complex l : modes.values) {
-    const bool resonant = system.frequency > 0.0 &&
+    const bool resonant = forced &&
                           std::abs(Complex(0.0, system.frequency) - l) * kLargestLoss < std::abs(l);
     const bool soft = std::abs(l) * kLargestLoss * kLargestLoss < quickest;
     if (resonant || (soft && loaded)) return false;
@@ -26,7 +28,9 @@ ComplexModeFlow::ComplexModeFlow(const FirstOrderSystem& system, ComplexVector v
   is_loaded_ = system.loads_vary || system.load.squaredNorm() > 0.0;
   ComplexVector harmonic = inverse_ * system.force.cast<Complex>();
   for (Eigen::Index k = 0; k < values_.size(); ++k)
-    harmonic[k] = frequency_ > 0.0 ? harmonic[k] / (Complex(0.0, frequency_) - values_[k]) : 0.0;
+    harmonic[k] = frequency_ > 0.0 && harmonic[k] != 0.0
+                      ? harmonic[k] / (Complex(0.0, frequency_) - values_[k])
+                      : 0.0;
   harmonic_ = vectors_ * harmonic;
   inverse_size_ = inverse_.cwiseAbs();
   harmonic_size_ = harmonic_.cwiseAbs();

@@ -41,27 +41,6 @@ std::optional<Signal> free_signal(const Arc<double>& arc, const Observable<doubl
   return signal;
 }
 
-// Whether two of its terms nearly cancel: near critical damping rates are nearly equal and sizes
-// nearly opposite, with a small difference d, and the integral of the square cancels by d^2; a loss
-// of four bits is accepted.
-bool nearly_cancels(const Signal& signal) {
-  constexpr double apart = 0.25;
-  const auto is_near = [&](const SignalTerm& a, Complex size, Complex rate) {
-    return std::abs(a.rate - rate) < apart * std::abs(rate) &&
-           std::abs(a.size + size) < apart * std::abs(size);
-  };
-  for (std::size_t i = 0; i < signal.size(); ++i) {
-    const SignalTerm& one = signal[i];
-    if (one.rate.imag() != 0.0) {
-      if (is_near(one, std::conj(one.size), std::conj(one.rate))) return true;
-      continue;
-    }
-    for (std::size_t j = 0; j < i; ++j)
-      if (is_near(signal[j], one.size, one.rate)) return true;
-  }
-  return false;
-}
-
 // Returns nullopt when some of the motion is no sum of well separated exponentials.
 std::optional<Signal> signal_of(const ExactPhase<double>& phase,
                                 const Observable<double>& observable) {

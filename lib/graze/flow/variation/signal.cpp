@@ -4,6 +4,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "graze/base/linalg/decompositions.hpp"
 #include "graze/base/stop_scope.hpp"
@@ -65,15 +66,96 @@ double panel_integral(const std::function<double(double)>& f, double s, double q
   return sum;
 }
 
+bool nearly_cancels(const Signal& signal) {
+  constexpr double apart = 0.25;
+  const auto is_near = [&](const SignalTerm& a, Complex size, Complex rate) {
+    return std::abs(a.rate - rate) < apart * std::abs(rate) &&
+           std::abs(a.size + size) < apart * std::abs(size);
+  };
+  for (std::size_t i = 0; i < signal.size(); ++i) {
+    const SignalTerm& one = signal[i];
+    if (one.rate.imag() != 0.0) {
+      if (is_near(one, std::conj(one.size), std::conj(one.rate))) return true;
+      continue;
+    }
+    for (std::size_t j = 0; j < i; ++j)
+      if (is_near(signal[j], one.size, one.rate)) return true;
+  }
+  return false;
+}
+
+namespace {
+
+// x as large as its inputs' unit u.
+double unit_of(const CoupledArc& arc) {
+  const FirstOrderSystem& system = arc.flow().first_order();
+  const double inputs = arc.load().norm() + system.force.norm();
+  const double size = arc.start_state().norm() + inputs / system.generator.norm();
+  return size > 0.0 ? size : 1.0;
+}
+
+// The terms of each entry of z, in columns; nullopt where some of the motion has none, or they
+// nearly cancel.
+struct StateTerms {
+  std::vector<Complex> rates;
+  Eigen::MatrixXcd sizes;
+};
+std::optional<StateTerms> terms_of(const CoupledArc& arc, double unit) {
+  const Vector& scale = arc.flow().scale();
+  const Eigen::Index m = scale.size();
+  StateTerms terms;
+  const auto fill = [&](Eigen::Index column, const Observable<double>& observable) {
+    Signal signal;
+    const auto add = [&](Complex size, Complex rate) { signal.push_back({size, rate}); };
+    if (!arc.each_term(observable, add) || nearly_cancels(signal)) return false;
+    const auto count = static_cast<Eigen::Index>(signal.size());
+    if (terms.rates.empty()) {
+      for (const SignalTerm& term : signal) terms.rates.push_back(term.rate);
+      terms.sizes.resize(count, 2 * m + 3);
+    }
+    for (Eigen::Index k = 0; k < count; ++k)
+      terms.sizes(k, column) = signal[static_cast<std::size_t>(k)].size;
+    return true;
+  };
+  Observable<double> observable;
+  observable.displacement = observable.velocity = Vector::Zero(m);
+  for (Eigen::Index i = 0; i < 2 * m + 3; ++i) {
+    Observable<double> one = observable;
+    if (i < m) {
+      one.displacement[i] = scale[i];
+      one.constant = -scale[i] * arc.origin()[i];
+    } else if (i < 2 * m) {
+      one.velocity[i - m] = 1.0;
+    } else if (i < 2 * m + 2) {
+      (i == 2 * m ? one.harmonic.re : one.harmonic.im) = i == 2 * m ? unit : -unit;
+    } else {
+      one.constant = unit;
+    }
+    if (!fill(i, one)) return {};
+  }
+  return terms;
+}
+
+Matrix integral_of(const StateTerms& terms, double s) {
+  const auto count = static_cast<Eigen::Index>(terms.rates.size());
+  Eigen::MatrixXcd sums(count, count), differences(count, count);
+  for (Eigen::Index k = 0; k < count; ++k)
+    for (Eigen::Index l = 0; l < count; ++l) {
+      const Complex a = terms.rates[static_cast<std::size_t>(k)],
+                    b = terms.rates[static_cast<std::size_t>(l)];
+      sums(k, l) = exponential_integral(a + b, s);
+      differences(k, l) = exponential_integral(a + std::conj(b), s);
+    }
+  // Re x Re y = Re(x y + x y*)/2.
+  const Eigen::MatrixXcd left = terms.sizes.transpose();
+  return 0.5 * (left * (sums * terms.sizes + differences * terms.sizes.conjugate())).real();
+}
+
 // Over h with 2 |E| h <= 1 by the Taylor series of z z^T, of which 18 terms are exact to rounding
 // (1/19! < eps); then doubled: the integral over 2h is M(h) + e^(Eh) M(h) e^(Eh)^T.
-Moments moments_along(const CoupledArc& arc, double s) {
+Matrix doubled_integral(const CoupledArc& arc, double unit, double s) {
   FirstOrderSystem system = arc.flow().first_order();
-  system.load = arc.load();
-  const double inputs = system.load.norm() + system.force.norm();
-  const double size = arc.start_state().norm() + inputs / system.generator.norm();
-  const double unit = size > 0.0 ? size : 1.0;
-  system.load /= unit;
+  system.load = arc.load() / unit;
   system.force /= unit;
   const Matrix whole = extended_generator(system, system.load, s);
   const int doublings = std::clamp(std::ilogb(whole.norm()), -2, 1024) + 2;
@@ -82,18 +164,26 @@ Moments moments_along(const CoupledArc& arc, double s) {
   z << arc.start_state(), unit * std::cos(arc.start_phase()), unit * std::sin(arc.start_phase()),
       unit;
   Matrix term = std::ldexp(s, -doublings) * z * z.transpose();
-  Moments moments{term, unit};
+  Matrix integral = term;
   for (int k = 1; k <= 18; ++k) {
     const Matrix next = generator * term;
     term = (next + next.transpose()) / (k + 1);
-    moments.integral += term;
+    integral += term;
   }
   Matrix step = matrix_exponential(generator);
   for (int k = 0; k < doublings; ++k) {
-    moments.integral += (step * moments.integral * step.transpose()).eval();
+    integral += (step * integral * step.transpose()).eval();
     step = (step * step).eval();
   }
-  return moments;
+  return integral;
+}
+
+}  // namespace
+
+Moments moments_along(const CoupledArc& arc, double s) {
+  const double unit = unit_of(arc);
+  const std::optional<StateTerms> terms = terms_of(arc, unit);
+  return {terms ? integral_of(*terms, s) : doubled_integral(arc, unit, s), unit};
 }
 
 Vector weights_of(const Observable<double>& observable, const CoupledArc& arc,

@@ -15,6 +15,11 @@ struct SignalTerm {
 };
 using Signal = std::vector<SignalTerm>;
 
+// Whether two of its terms nearly cancel: near critical damping rates are nearly equal and sizes
+// nearly opposite, with a small difference d, and the integral of the square cancels by d^2; a loss
+// of four bits is accepted.
+bool nearly_cancels(const Signal& signal);
+
 // integral of e^{l s} over [0, s], without cancellation for small l s.
 Complex exponential_integral(Complex l, double s);
 
