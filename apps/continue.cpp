@@ -136,6 +136,7 @@ int run(const ContinueCommand& command) {
     options.impacts = 0;  // nothing is searched for
   }
   options.levels = levels_of(command, command.curve_at, scene);
+  options.normal_forms = command.normal_forms;
   const SystemFamily family(scene, command.parameter);
   BranchRecord record{info_of_call(command, scene),
                       assemble(scene),

@@ -13,6 +13,7 @@ struct OrbitCommand : OrbitSearchOptions {};
 
 struct ContinueCommand : LocusTracingOptions, LevelOptions {
   int regions = 0;  // places each way; 0: none
+  bool normal_forms = false;
   RestartOptions restart;
 };
 
@@ -44,6 +45,11 @@ void describe(auto& v, ContinueCommand& o) {
       v, o, recorded.as(o.any_impacts ? "any" : std::to_string(o.impacts.value_or(1))), kOfResult);
   describe_curve(v, o);
   describe_levels(v, o);
+  v.flag(
+      "normal_forms", o.normal_forms,
+      "Compute the normal forms of folds (LP) and doublings (PD), and say on which side the orbits "
+      "beside them exist and whether doubled ones are stable",
+      Excludes{{"locus"}}, kOfResult.where(o.normal_forms));
   describe_closure_speed(v, o);
   describe_locus_kinds(v, o,
                        "Trace loci of special points over two parameters instead of branches: LP, "

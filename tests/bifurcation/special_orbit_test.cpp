@@ -106,14 +106,14 @@ std::vector<double> values_of(const std::vector<const SpecialPoint*>& special) {
   return values;
 }
 
-struct Case {
+struct Traced {
   std::string scene;
   std::vector<std::string> settings;
   int period;
   double from, to;
 };
 
-int expect_doublings_of_closed_form(const Case& c) {
+int expect_doublings_of_closed_form(const Traced& c) {
   SCOPED_TRACE(testing::Message() << c.scene << " (" << c.period << ", 1) "
                                   << (c.settings.empty() ? "" : c.settings[0]));
   const Scene scene = support::shipped_scene(c.scene, c.settings);
@@ -129,7 +129,7 @@ int expect_doublings_of_closed_form(const Case& c) {
 }
 
 TEST(SpecialOrbits, DoublingsAreWhereTheClosedFormHasThem) {
-  const std::vector<Case> cases = {
+  const std::vector<Traced> cases = {
       {"04_impact_oscillator", {"modal.damping_ratios=[0.05]"}, 1, 1.6, 5.0},
       {"04_impact_oscillator", {"stop.gap=0.3"}, 2, 2.0, 7.0},
       {"04_impact_oscillator", {"stop.restitution=0.5", "stop.gap=-0.1"}, 1, 1.6, 6.0},
@@ -139,7 +139,7 @@ TEST(SpecialOrbits, DoublingsAreWhereTheClosedFormHasThem) {
       {"05_wagg_one_mode", {"beam.modes=4", "stop.gap=0.005"}, 1, 30.0, 120.0},
       {"05_wagg_one_mode", {"beam.modes=4", "stop.gap=0.005"}, 2, 80.0, 140.0}};
   int doublings = 0;
-  for (const Case& c : cases) doublings += expect_doublings_of_closed_form(c);
+  for (const Traced& c : cases) doublings += expect_doublings_of_closed_form(c);
   EXPECT_GE(doublings, 10);
 }
 

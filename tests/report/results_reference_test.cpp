@@ -178,6 +178,7 @@ void tell_branches(Page& page, const System& system) {
   branches.system.stops.push_back({Vector::Ones(1), 1.0, ContactForce{}});
   branches.amplitudes.places = {tip()};
   branches.traced.levels = {"speed=1"};
+  branches.traced.has_normal_forms = true;
   page.tell("continue", branches);
   LociRecord loci;
   loci.regions.emplace();

@@ -9,6 +9,7 @@
 
 #include "graze/base/angle.hpp"
 #include "graze/continuation/branch.hpp"
+#include "graze/continuation/normal_form.hpp"
 #include "graze/orbit/problem/orbit.hpp"
 
 namespace graze {
@@ -52,6 +53,7 @@ struct SpecialPoint {
   // For a grazing: whether an impact that leaves its stop at rest (r = 0) begins to stick there.
   bool by_push = false;
   std::size_t level = 0;  // for UZ and EX: which of the levels that were asked for
+  std::optional<NormalForm> normal{};  // of LP and PD, where it was asked for
 
   // Phase, rad, and approach speed, m/s, of the orbit's first impact; for a lift-off those of the
   // flight that shrinks to nothing. Returns nullopt when there is neither.

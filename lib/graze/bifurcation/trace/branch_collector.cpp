@@ -275,6 +275,21 @@ void BranchCollector::follow() {
     }
 }
 
+void BranchCollector::add_normal_forms() {
+  for (FoundBranch& found : found_)
+    for (std::size_t k = 0; k < found.branch.special.size(); ++k) {
+      if (options_.stop.requested()) return;
+      SpecialPoint& special = found.branch.special[k];
+      const LaidOrbits& orbits = *found.continuations[k].orbits;
+      if (special.kind == SpecialKind::kFold)
+        special.normal = fold_form(orbits->problem(), continuation_, special.solution);
+      if (special.kind == SpecialKind::kPeriodDoubling)
+        special.normal = doubling_form(orbits->problem(), continuation_, special.solution,
+                                       problems_.doubled(orbits)->problem(),
+                                       orbits->twice_round(special.solution));
+    }
+}
+
 bool BranchCollector::switch_from(const SpecialPoint& special,
                                   const SpecialContinuation& continuation, Origin origin) {
   if (crosses(special.kind)) return switch_across(*continuation.orbits, special, origin);

@@ -39,6 +39,7 @@ class OrbitTracer {
         branches_(family, options, shown, result_) {
     result_.parameter = family.parameter();
     result_.levels = names_of(options.levels);
+    result_.has_normal_forms = options.normal_forms;
     const System own = *family.at(family.value());
     followed_ = !own.has_modal_flights();
     const State at_rest{Vector::Zero(own.modes()), Vector::Zero(own.modes())};
@@ -55,6 +56,7 @@ class OrbitTracer {
     }
     if (options_.response && !options_.start && options_.period == 1) trace_response();
     branches_.follow();
+    if (options_.normal_forms) branches_.add_normal_forms();
     const double speed_scale = result_.scale.speed;
     result_.branches =
         put_in_order(branches_.take(), Components(highest_ - lowest_, speed_scale),

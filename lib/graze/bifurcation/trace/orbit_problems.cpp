@@ -74,7 +74,8 @@ std::vector<OrbitProblems::Written> OrbitProblems::written(const Orbit& orbit, P
                                                 segment);
     });
     const auto& equations = dynamic_cast<const SegmentEquations&>(*orbits.problem);
-    list.push_back({&orbits, equations.shooting().pack(*system, laid.theta, laid.states), laid.held});
+    list.push_back(
+        {&orbits, equations.shooting().pack(*system, laid.theta, laid.states), laid.held});
   }
   return list;
 }

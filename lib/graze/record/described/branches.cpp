@@ -52,7 +52,8 @@ const char* way_of_grazing(const SpecialPoint& special) {
 }
 
 void describe_special(ResultVisitor& v, const SpecialPoint& special, int branch,
-                      const std::vector<std::string>& levels) {
+                      const OrbitBranches& traced) {
+  const std::vector<std::string>& levels = traced.levels;
   const std::optional<SpecialPoint::Impact> impact = special.impact();
   v.field({"id", "", "`LP1`, .."}, special.id);
   v.field({"label", "", "`LP`, `GR`, .."}, label_of(special.kind));
@@ -68,6 +69,17 @@ void describe_special(ResultVisitor& v, const SpecialPoint& special, int branch,
   if (!levels.empty())
     v.field({"level", "", "at UZ and EX the one that was asked for, `stop.1.speed=0.5`; else null"},
             named_level(levels, is_of_level(special.kind), special.level));
+  if (traced.has_normal_forms) {
+    v.field({"coefficient", "", "of the normal form at LP and PD; at PD > 0: supercritical"},
+            special.normal ? std::optional(special.normal->coefficient) : std::nullopt);
+    v.field(
+        {"opening", "",
+         "the orbits beside it (PD: the doubled ones) lie at `value` + `opening` x^2, x along the "
+         "critical eigenvector"},
+        special.normal ? std::optional(special.normal->opening) : std::nullopt);
+    const std::string words = words_beyond(special);
+    v.field({"beyond", "", "the same in words"}, named(words));
+  }
   v.field(Field{"admissible"}.document(), special.at.orbit.admissible);
   const std::optional<Bracket>& bracket = special.solution.bracket;
   if (const auto some = v.where(bracket.has_value(), "where it was enclosed")) {
@@ -125,7 +137,7 @@ void describe_branch(ResultVisitor& v, const OrbitBranch& branch, const BranchRe
          });
   v.list({"special", "", "special points"}, branch.special,
          [&](const SpecialPoint& special, std::size_t i) {
-           v.row("special", [&] { describe_special(v, special, branch.id, record.traced.levels); });
+           v.row("special", [&] { describe_special(v, special, branch.id, record.traced); });
            describe_size(measured ? &measured->special : nullptr, i);
          });
 }

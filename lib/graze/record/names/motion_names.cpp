@@ -139,6 +139,18 @@ std::string name_of(OrbitBranchEnd end) {
   return "not converged";
 }
 
+std::string words_beyond(const SpecialPoint& special) {
+  if (!special.normal) return "";
+  const std::string side = special.normal->opening > 0.0 ? "above" : "below";
+  if (special.kind == SpecialKind::kFold) return "the orbits exist " + side;
+  const bool supercritical = special.normal->coefficient > 0.0;
+  // Beside a multiplier outside the circle nothing is stable.
+  const bool others_inside = special.at.unstable_multipliers == 0;
+  const std::string stable = supercritical ? "is stable and " : "is unstable and ";
+  return std::string(supercritical ? "supercritical" : "subcritical") + ": the doubled orbit " +
+         (others_inside ? stable : "") + "exists " + side;
+}
+
 std::string name_of(OrbitLocusEnd end) {
   switch (end) {
     case OrbitLocusEnd::kFirstLimit:

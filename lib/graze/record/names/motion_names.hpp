@@ -43,6 +43,8 @@ double impact_phase(const MetImpact& impact);
 
 std::string name_of(EventKind kind);
 std::string name_of(OrbitBranchEnd end);
+// What a normal form says of the orbits beside a fold or a doubling, a clause; empty without one.
+std::string words_beyond(const SpecialPoint& special);
 std::string name_of(OrbitLocusEnd end);
 
 // "yes", "no", or "on the circle" for a stability that rounding leaves open.

@@ -175,6 +175,15 @@ std::string special_text(const BranchRecord& record, const TextOptions& options)
   return table.empty() ? "" : table.text(options.width) + "\n";
 }
 
+std::string forms_text(const BranchRecord& record, const TextOptions& options) {
+  Table table({"point", "coefficient", "beside it"});
+  for (const OrbitBranch& branch : record.traced.branches)
+    for (const SpecialPoint& special : branch.special)
+      if (special.normal)
+        table.add({special.id, digits_text(special.normal->coefficient, 6), words_beyond(special)});
+  return table.empty() ? "" : table.text(options.width) + "\n";
+}
+
 // Special points that were bracketed but not solved for.
 std::string bracketed_only(const std::vector<OrbitBranch>& branches) {
   std::string text;
@@ -206,7 +215,8 @@ std::string counts_text(const OrbitBranches& traced, const TextOptions& options)
 
 std::string to_text(const BranchRecord& record, const TextOptions& options) {
   return branches_text(record, options) + special_text(record, options) +
-         bracketed_only(record.traced.branches) + counts_text(record.traced, options) +
+         forms_text(record, options) + bracketed_only(record.traced.branches) +
+         counts_text(record.traced, options) +
          notes_text(record.traced.notes, record.traced.details, options) + ending(record.outcome);
 }
 

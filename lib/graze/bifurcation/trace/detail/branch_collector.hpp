@@ -34,6 +34,8 @@ class BranchCollector {
   void trace_from_special(const BranchStart& start);
   // Switches at the special points, in order of their depth.
   void follow();
+  // The normal forms of the folds and doublings found so far.
+  void add_normal_forms();
 
   const std::vector<FoundBranch>& found() const { return found_; }
   std::vector<FoundBranch> take() { return std::move(found_); }
