@@ -237,6 +237,13 @@ bool Motion<Real>::decide_resting(const std::vector<int>& resting) {
   }
   // Stops that are left are decided first: an open stop keeps nothing in place.
   const std::vector<int> kept = decide_degenerate(pressed, std::move(degenerate));
+  // A closed stop that others now keep in place gives way to them: of two that face each other the
+  // one that is pressed holds.
+  for (const int i : kept)
+    if (contact(i) == Contact::kClosed && !is_independent(i, pressed)) {
+      changes_.push_back({ArrivalKind::kRelease, i});
+      set(i, Contact::kLocked);
+    }
   for (const int i : pressed) hold(i);
   for (const int i : kept) hold(i);
   rest_on_closed();
