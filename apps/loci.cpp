@@ -23,6 +23,18 @@
 namespace graze {
 namespace {
 
+// The one among the levels of this run that the point is of.
+std::size_t level_of(const SpecialOrbit& at, const LociOptions& options) {
+  const std::vector<OrbitLevel>& levels = options.branches.levels;
+  const auto found = std::find_if(levels.begin(), levels.end(),
+                                  [&](const OrbitLevel& level) { return level.name == at.level; });
+  if (found == levels.end())
+    throw InputError(
+        fmt::format("--label: {} is of the level {}; give it once more, --{} {}", at.id, at.level,
+                    at.level.find('=') == std::string::npos ? "extreme" : "level", at.level));
+  return static_cast<std::size_t>(found - levels.begin());
+}
+
 // From a special point of an earlier run alone.
 void start_from(const Restart& restart, const ContinueCommand& command, LociOptions& options) {
   const double first = value_in_range(restart, command.parameter, command.from, command.to);
@@ -34,6 +46,7 @@ void start_from(const Restart& restart, const ContinueCommand& command, LociOpti
         fmt::format("--label: {} has no locus to go on along; LP, PD and NS have, and GR of orbits "
                     "that do not stick",
                     restart.at.id));
+  if (is_of_level(options.start->kind)) options.start->level = level_of(restart.at, options);
   // Which orbits these are, for what else is asked of the plane; a locus of grazing counts its
   // touch.
   if (restart.at.followed) {
@@ -46,8 +59,9 @@ void start_from(const Restart& restart, const ContinueCommand& command, LociOpti
   }
   const OrbitLocusKind kind = options.start->kind;
   if (std::find(options.kinds.begin(), options.kinds.end(), kind) == options.kinds.end())
-    throw InputError(fmt::format("--locus: {} lies on a locus of {}; give --locus {} or all",
-                                 restart.at.id, label_of(kind), label_of(kind)));
+    throw InputError(fmt::format("--locus: {} lies on a locus of {}; give --locus {}{}",
+                                 restart.at.id, label_of(kind), label_of(kind),
+                                 is_of_level(kind) ? "" : " or all"));
 }
 
 // Loci of levels need some, and branches are not cut at them.
@@ -118,7 +132,8 @@ int run_loci(const ContinueCommand& command) {
   record.outcome = loci_outcome(record.traced, options);
   if (command.regions > 0) {
     record.regions = regions_of(command, scene, options);
-    if (options.kinds.size() >= kOrbitLocusKinds.size())
+    if (std::includes(options.kinds.begin(), options.kinds.end(), kOrbitLocusKinds.begin(),
+                      kOrbitLocusKinds.end()))
       record.boundaries = region_boundaries(*record.regions, record.traced);
     record.outcome = regions_outcome(*record.regions, record.outcome);
   }

@@ -157,7 +157,11 @@ std::optional<SettledStart> read_state(const ContinueCommand& command, const Sce
   const std::string& name = command.restart.state;
   if (name.empty()) return {};
   const System system = assemble(scene);
-  SettledStart start{*parameter_value(scene, command.parameter), {}, command.period};
+  Restart here;
+  here.at.id = "the scene";
+  here.scene = scene;
+  SettledStart start{
+      value_in_range(here, command.parameter, command.from, command.to), {}, command.period};
   if (!std::filesystem::is_directory(name)) {
     start.state = state_in_table(name, scene, system);
     return start;

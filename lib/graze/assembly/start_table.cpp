@@ -20,13 +20,19 @@ State state_in_table(const std::string& file, Scene scene, const System& system)
                     "and {} velocities, of the {}",
                     table.columns(), 2 * n + 1, n, n, of_masses ? "degrees of freedom" : "modes"));
   if (table.number(0, 0) != 0.0)
-    throw table.cell_error(0, 0, "it is not allowed, the first row must be at t = 0");
+    throw table.cell_error(
+        0, 0,
+        fmt::format("{:g} is not allowed, the first row must be at t = 0", table.number(0, 0)));
   scene.initial.emplace();
   auto& at = of_masses ? scene.initial->displacement : scene.initial->q;
   auto& rate = of_masses ? scene.initial->velocity : scene.initial->qdot;
   for (std::size_t k = 1; k < table.columns(); ++k)
     (k <= static_cast<std::size_t>(n) ? at : rate).push_back(table.number(0, k));
-  return initial_state(scene, system);
+  try {
+    return initial_state(scene, system);
+  } catch (const InputError& error) {
+    throw table.cell_error(0, 1, fmt::format("no state of the structure: {}", error.what()));
+  }
 }
 
 }  // namespace graze

@@ -96,13 +96,14 @@ std::optional<double> LevelCurve::value(const Place& at) const {
   const Vector last = at.beside.row(at.beside.rows() - 1);
   Vector along = (at.beside.col(0) * last[1] - at.beside.col(1) * last[0]).normalized();
   if (along[problem_.first] < 0.0) along *= -1.0;
+  const std::optional<double> here = excess(at);
   double change = 0.0;
   for (const auto& [steps, weight] : {std::pair(1.0, 8.0), std::pair(2.0, -1.0)})
     for (const double side : {1.0, -1.0}) {
       const auto there = nearest_orbit(at.x + side * steps * kSlopeStep * along);
       const std::optional<double> number = there ? excess(*there) : std::nullopt;
-      if (!number) return {};
-      change += side * weight * *number;
+      if (!number || !here) return {};
+      change += side * weight * level_.change(*here, *number);
     }
   return change / (12.0 * kSlopeStep);
 }

@@ -44,6 +44,8 @@ std::optional<OrbitLocusKind> locus_of(const SpecialOrbit& special) {
     return {};
   for (const OrbitLocusKind kind : kOrbitLocusKinds)
     if (special.label == label_of(kind)) return kind;
+  for (const OrbitLocusKind kind : {OrbitLocusKind::kLevel, OrbitLocusKind::kExtreme})
+    if (special.label == label_of(kind)) return kind;
   return {};
 }
 
@@ -63,6 +65,7 @@ std::vector<SpecialOrbit> special_orbits(const OrbitBranches& traced, const Syst
       one.multiplier = special.multiplier;
       one.by_speed = special.by_speed;
       one.by_push = special.by_push;
+      if (is_of_level(special.kind)) one.level = traced.levels[special.level];
       if (branch.sticks() || special.at.orbit.section) {
         one.followed = followed_part(branch, special);
       } else {
@@ -98,6 +101,7 @@ std::vector<SpecialOrbit> special_orbits(const OrbitLoci& traced) {
       one.multiplier = std::polar(1.0, special.at.angle);
       one.locus = locus.kind;
       one.by_speed = locus.kind == OrbitLocusKind::kGrazing;
+      if (is_of_level(locus.kind)) one.level = traced.levels[locus.level];
       list.push_back(std::move(one));
     }
   }
@@ -109,6 +113,7 @@ SpecialOrbit orbit_to_start_from(const Orbit& orbit, const std::string& id,
   SpecialOrbit one;
   one.id = id;
   if (value) one.values = {*value};
+  if (!orbit.meets_stops()) return one;  // the response, which has a closed form
   if (orbit.section) {
     one.followed = as_followed(orbit.period, value.value_or(0.0), *orbit.section);
   } else {

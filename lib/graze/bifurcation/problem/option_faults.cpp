@@ -58,7 +58,8 @@ std::optional<OptionFault> fault_in(const BranchOptions& options) {
   };
   if (const auto fault = whole("period", options.period, 1)) return fault;
   if (const auto fault = whole("impacts", options.impacts, 0)) return fault;
-  if (options.impacts == 0 && options.period != 1)
+  const bool is_searched = !options.start && options.settled.empty();
+  if (options.impacts == 0 && options.period != 1 && is_searched)
     return OptionFault{"period", "the response that meets no stop has period 1; leave it out"};
   if (const auto fault = whole("start_values", options.start_values, 0)) return fault;
   return whole("follow_depth", options.follow_depth, 0);

@@ -4,6 +4,10 @@
 
 namespace graze {
 
+double OrbitLevel::change(double from, double to) const {
+  return turn > 0.0 ? std::remainder(to - from, turn) : to - from;
+}
+
 double OrbitLevel::excess(double at) const {
   if (!value) return at;
   return turn > 0.0 ? std::remainder(at - *value, turn) : at - *value;

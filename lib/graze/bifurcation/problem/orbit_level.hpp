@@ -24,6 +24,8 @@ struct OrbitLevel {
   double turn = 0.0;              // of numbers that count modulo it; 0: those of others
   bool ends = false;              // branches end there
 
+  // What the number changes by, the short way round where it counts modulo a turn.
+  double change(double from, double to) const;
   // Zero where the number takes the value; of an extreme the number itself.
   double excess(double at) const;
 };

@@ -31,6 +31,7 @@ struct SpecialOrbit {
   std::optional<Direction> along;          // of a branch whose orbits do not stick
   std::optional<Complex> multiplier;       // the critical one
   bool by_speed = false, by_push = false;  // as of SpecialPoint
+  std::string level{};                     // of UZ and EX, and on their loci: its name
   // An orbit that is followed, as the states from which the motion repeats it: one within a stuck
   // phase, or those at the starts of its forcing periods. At the ends of a branch that sticks,
   // where the motion no longer sticks, those of the neighbouring point.

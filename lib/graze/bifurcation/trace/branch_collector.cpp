@@ -109,6 +109,7 @@ bool BranchCollector::trace_written(const Written& start, double value, Origin o
 
 void BranchCollector::trace_from_special(const BranchStart& start) {
   ++result_.starts;
+  if (!start.at.followed && start.at.pattern.stops.empty()) return trace_response(family_.value());
   for (const Written& one : written(start.at))
     if (const std::optional<SolutionPoint> point = solution_at(one, start)) {
       trace_restarted(*one.orbits, *point, start);

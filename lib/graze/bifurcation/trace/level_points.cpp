@@ -6,6 +6,7 @@
 
 #include "graze/continuation/branch/detail/locate.hpp"
 #include "graze/continuation/special/detail/test_zeros.hpp"
+#include "graze/system/scale.hpp"
 
 namespace graze {
 namespace {
@@ -13,6 +14,10 @@ namespace {
 // A number that jumps changes its sign, too: where it does not, it is at most this part of its
 // larger value at the ends of the step.
 constexpr double kVanishes = 1e-6;
+// What numbers of neighbours differ by where they are the same but for rounding, relative.
+constexpr double kRounded = 1e-11;
+// A gap or a speed this small, in units of the motion, is that of a grazing.
+constexpr double kTouches = 1e-9;
 // Step of the differences that give the slope of a number along a branch, of the length of the step
 // from point to point: their error is of its fourth power.
 constexpr double kSlopeStep = 0.02;
@@ -36,14 +41,15 @@ class LevelTest {
   // By arclength; `length`: that of a step of the branch there.
   std::optional<double> slope(const SolutionPoint& at, double length) {
     const double h = kSlopeStep * length;
+    const std::optional<double> here = excess(at);
     double change = 0.0;
     for (const auto& [steps, weight] : {std::pair(1.0, 8.0), std::pair(2.0, -1.0)})
       for (const double side : {1.0, -1.0}) {
         const auto there = corrector_.on_hyperplane(
             corrector_.pack(at) + side * steps * h * at.tangent, at.tangent);
         const std::optional<double> number = there ? excess(*there) : std::nullopt;
-        if (!number) return {};
-        change += side * weight * *number;
+        if (!number || !here) return {};
+        change += side * weight * level_.change(*here, *number);
       }
     return change / (12.0 * h);
   }
@@ -61,6 +67,22 @@ class LevelTest {
   bool vanishes(const SolutionPoint& at, double before, double behind) const {
     const std::optional<double> there = excess(at);
     return there && std::abs(*there) <= kVanishes * std::max(std::abs(before), std::abs(behind));
+  }
+
+  // Whether the number is another one at the ends of the step than at an extreme, beyond rounding.
+  bool differs(const SolutionPoint& at, double before, double behind) const {
+    const std::optional<double> there = excess(at);
+    return there && std::max(std::abs(level_.change(*there, before)),
+                             std::abs(level_.change(*there, behind))) > kRounded * std::abs(*there);
+  }
+  // Whether it lies on the end of the branch at a grazing, which has a name of its own.
+  bool is_boundary(const SolutionPoint& at) const {
+    const std::optional<OrbitBranchPoint> orbit = problem_.judge(at);
+    const System* system = orbit ? problem_.system_at(at.parameters()) : nullptr;
+    if (!system) return true;
+    const MotionScale scale = motion_scale(*system);
+    return std::abs(orbit->smallest_speed) <= kTouches * scale.speed ||
+           std::abs(orbit->orbit.clearance.value_or(scale.length)) <= kTouches * scale.length;
   }
 
   Corrector& corrector() { return corrector_; }
@@ -112,8 +134,15 @@ class LevelEnds : public BranchBoundaries {
     const std::size_t last = trace.points.size() - 1;
     const std::size_t step = side == 0 ? 0 : last - 1;
     if (trace.ends[side] == BranchEnd::kHalted && last > 0)
-      if (auto end = end_between(trace.points[step], trace.points[step + 1])) {
-        trace.points[side == 0 ? 0 : last] = end->special->solution;
+      if (auto end = end_between(trace.points[step], trace.points[step + 1], side == 0)) {
+        const SolutionPoint tip = end->special->solution;
+        trace.points[side == 0 ? 0 : last] = tip;
+        // What else lies in the step may lie beyond the end.
+        const Corrector corrector(problem_.problem(), options_);
+        std::erase_if(trace.critical, [&](const CriticalPoint& critical) {
+          const double ahead = corrector.ahead(tip, critical.point);
+          return critical.after == step && (side == 0 ? ahead <= 0.0 : ahead >= 0.0);
+        });
         return BranchTip{end->end, std::move(*end)};
       }
     return inner_->close(trace, side);
@@ -123,18 +152,24 @@ class LevelEnds : public BranchBoundaries {
   }
 
  private:
-  // The level that is passed between neighbours, in order along the branch.
-  std::optional<BranchPlace> end_between(const SolutionPoint& a, const SolutionPoint& b) {
+  // The level that is passed between neighbours in order along the branch, the first one or the
+  // last.
+  std::optional<BranchPlace> end_between(const SolutionPoint& a, const SolutionPoint& b,
+                                         bool last = false) {
+    std::optional<BranchPlace> end;
+    double best = 0.0;
     for (std::size_t k = 0; k < levels_.size(); ++k) {
       if (!levels_[k].ends) continue;
       auto point = LevelTest(problem_, options_, levels_[k]).passes(a, b);
       std::optional<OrbitBranchPoint> at = point ? problem_.judge(*point) : std::nullopt;
       if (!at) continue;
-      BranchPlace place{*at, {}, inner_->lists(*point), OrbitBranchEnd::kLevel};
-      place.special = as_special(as_critical(levels_[k], k, std::move(*point), 0), std::move(*at));
-      return place;
+      const double ahead = Corrector(problem_.problem(), options_).ahead(a, *point);
+      if (end && (last ? ahead < best : ahead > best)) continue;
+      best = ahead;
+      end = BranchPlace{*at, {}, inner_->lists(*point), OrbitBranchEnd::kLevel};
+      end->special = as_special(as_critical(levels_[k], k, std::move(*point), 0), std::move(*at));
     }
-    return {};
+    return end;
   }
 
   std::unique_ptr<BranchBoundaries> inner_;
@@ -166,9 +201,10 @@ void mark_levels(const LaidOrbits& orbits, const ContinuationOptions& options,
     for (TestZero& zero : test_zeros(orbits->problem(), options, branch, tests)) {
       const auto before = test.excess(points[zero.after]);
       const auto behind = test.excess(points[zero.after + 1]);
-      const bool jumps =
-          level.value && before && behind && !test.vanishes(zero.point, *before, *behind);
-      if (!jumps)
+      if (!before || !behind || test.is_boundary(zero.point)) continue;
+      const bool is_one = level.value ? test.vanishes(zero.point, *before, *behind)
+                                      : test.differs(zero.point, *before, *behind);
+      if (is_one)
         insert(branch, as_critical(level, k, std::move(zero.point), zero.after), test.corrector());
     }
   }

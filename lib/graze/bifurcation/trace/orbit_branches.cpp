@@ -272,11 +272,14 @@ class OrbitTracer {
     settling.stop = options_.stop;
     const SettledMotion settled = settle(*system, start, settling);
     const bool any = wanted == Wanted::kAny;
+    if (period > 0 && settled.kind == SettledKind::kClear) return branches_.trace_response(value);
     if (settled.kind != SettledKind::kSticks && !(any && settled.kind == SettledKind::kImpacts))
       return;
     const std::optional<Orbit> orbit =
         orbit_near(*system, settled, {closure_speed_, settling.max_impacts, options_.stop}).orbit;
     if (orbit && (any || orbit->period == options_.period)) branches_.trace_from(*orbit, value);
+    if (!orbit && period > 0)
+      result_.notes.push_back("near the state no orbit closes after that many forcing periods");
   }
 
   // Branches that were traced separately may be connected by virtual solutions; the closed form

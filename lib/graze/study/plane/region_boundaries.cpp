@@ -37,8 +37,9 @@ RegionBoundaries region_boundaries(const StableRegions& regions, const OrbitLoci
     const RegionPlace &a = regions.places[i], &b = regions.places[other];
     if (!is_known(a) || !is_known(b) || holds(a) == holds(b)) return;
     ++boundaries.count;
-    if (std::none_of(traced.loci.begin(), traced.loci.end(),
-                     [&](const OrbitLocus& locus) { return passes(locus, a, b); }))
+    if (std::none_of(traced.loci.begin(), traced.loci.end(), [&](const OrbitLocus& locus) {
+          return !is_of_level(locus.kind) && passes(locus, a, b);
+        }))
       boundaries.open.emplace_back(i, other);
   };
   const auto columns = static_cast<std::size_t>(regions.columns);
