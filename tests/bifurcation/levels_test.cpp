@@ -119,6 +119,11 @@ TEST(Levels, OfTheResponseAreCurvesInThePlane) {
       else
         EXPECT_NEAR(point.value, std::sqrt(1.0 - 2.0 * 0.05 * 0.05), 1e-9);
   }
+  // The peak touches the stop where F |H| = 1.5 there.
+  const auto& met = loci.loci[loci.loci[0].kind == OrbitLocusKind::kLevel ? 1 : 0].special;
+  ASSERT_EQ(met.size(), 1u);
+  EXPECT_EQ(met[0].label, "EXGR");
+  EXPECT_NEAR(met[0].at.second, 1.5 * 0.1 * std::sqrt(1.0 - 0.05 * 0.05), 1e-10);
 }
 
 // With v and -r v before and after the impact the free part y of the motion satisfies (M - 1)(y, w)

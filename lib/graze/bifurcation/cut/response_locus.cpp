@@ -13,16 +13,21 @@ std::optional<Orbit> ResponseLocus::orbit(const LocusSite& at) const {
 }
 
 std::optional<LocusPlace> ResponseLocus::place(const LocusSite& at,
-                                               std::optional<LocusMargin> /*zero*/) const {
+                                               std::optional<LocusMargin> zero) const {
   const std::optional<Orbit> found = orbit(at);
   if (!found) return {};
-  return LocusPlace{
-      {at.first, at.second, 0.0, {}, found->admissible, {}, found->section}, Vector(), "", {}};
+  return LocusPlace{{at.first, at.second, 0.0, {}, found->admissible, {}, found->section},
+                    *margins(at),
+                    "",
+                    zero};
 }
 
-bool ResponseLocus::goes_on(const LocusSite& /*previous*/, const LocusSite& here) const {
-  const std::optional<Orbit> found = orbit(here);
-  return found && found->admissible;
+std::optional<Vector> ResponseLocus::margins(const LocusSite& at) const {
+  const std::optional<Orbit> found = orbit(at);
+  if (!found) return {};
+  Vector margins = Vector::Ones(kLocusMargins);
+  margins[static_cast<Eigen::Index>(LocusMargin::kClearance)] = found->clearance.value_or(1.0);
+  return margins;
 }
 
 }  // namespace graze

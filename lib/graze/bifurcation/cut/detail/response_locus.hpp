@@ -1,4 +1,4 @@
-// The response that meets no stop along a locus: it is halted where the response touches one.
+// The response that meets no stop along a locus, which ends where the response touches one.
 #pragma once
 
 #include "graze/bifurcation/cut/detail/locus_orbits.hpp"
@@ -13,7 +13,7 @@ class ResponseLocus : public LocusOrbits {
   std::optional<LocusPlace> place(const LocusSite& at,
                                   std::optional<LocusMargin> zero) const override;
   ImpactPattern pattern(const std::vector<LocusPlace>& /*places*/) const override { return {}; }
-  bool goes_on(const LocusSite& /*previous*/, const LocusSite& here) const override;
+  std::optional<Vector> margins(const LocusSite& at) const override;
 
  private:
   std::optional<Orbit> orbit(const LocusSite& at) const;
