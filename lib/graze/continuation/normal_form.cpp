@@ -1,12 +1,12 @@
 #include "graze/continuation/normal_form.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 
 #include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/continuation/branch/detail/corrector.hpp"
+#include "graze/continuation/branch/detail/slope.hpp"
 #include "graze/continuation/switching.hpp"
 
 namespace graze {
@@ -83,22 +83,18 @@ std::optional<CriticalVectors> critical_vectors(const ZeroProblem& problem, cons
 std::optional<double> multiplier_rate(const ZeroProblem& problem,
                                       const ContinuationOptions& options, const SolutionPoint& at) {
   Corrector corrector(problem, options);
-  double change = 0.0;
-  for (const auto& [steps, weight] : {std::pair(1.0, 8.0), std::pair(2.0, -1.0)})
-    for (const double side : {1.0, -1.0}) {
-      const auto there = corrector.on_hyperplane(
-          corrector.pack(at) + side * steps * kAlong * at.tangent, at.tangent);
-      if (!there) return {};
-      const auto list = problem.multipliers(there->u, there->parameters(), ErrorBounds::kLeftOut);
-      const auto critical =
-          std::min_element(list.begin(), list.end(), [](const Eigenvalue& a, const Eigenvalue& b) {
-            return std::abs(a.value + 1.0) < std::abs(b.value + 1.0);
-          });
-      if (critical == list.end()) return {};
-      change += side * weight * critical->value.real();
-    }
+  const auto rate = slope_at_zero(kAlong, [&](double s) -> std::optional<double> {
+    const auto there = corrector.on_hyperplane(corrector.pack(at) + s * at.tangent, at.tangent);
+    if (!there) return {};
+    const auto list = problem.multipliers(there->u, there->parameters(), ErrorBounds::kLeftOut);
+    const auto critical =
+        std::min_element(list.begin(), list.end(), [](const Eigenvalue& a, const Eigenvalue& b) {
+          return std::abs(a.value + 1.0) < std::abs(b.value + 1.0);
+        });
+    return critical == list.end() ? std::nullopt : std::optional(critical->value.real());
+  });
   const double moved = at.rate() * corrector.range();
-  return moved != 0.0 ? std::optional(change / (12.0 * kAlong) / moved) : std::nullopt;
+  return rate && moved != 0.0 ? std::optional(*rate / moved) : std::nullopt;
 }
 
 }  // namespace

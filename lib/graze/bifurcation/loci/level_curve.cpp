@@ -6,6 +6,7 @@
 
 #include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/bifurcation/trace/detail/orbit_kinds.hpp"
+#include "graze/continuation/branch/detail/slope.hpp"
 
 namespace graze {
 namespace {
@@ -97,15 +98,11 @@ std::optional<double> LevelCurve::value(const Place& at) const {
   Vector along = (at.beside.col(0) * last[1] - at.beside.col(1) * last[0]).normalized();
   if (along[problem_.first] < 0.0) along *= -1.0;
   const std::optional<double> here = excess(at);
-  double change = 0.0;
-  for (const auto& [steps, weight] : {std::pair(1.0, 8.0), std::pair(2.0, -1.0)})
-    for (const double side : {1.0, -1.0}) {
-      const auto there = nearest_orbit(at.x + side * steps * kSlopeStep * along);
-      const std::optional<double> number = there ? excess(*there) : std::nullopt;
-      if (!number || !here) return {};
-      change += side * weight * level_.change(*here, *number);
-    }
-  return change / (12.0 * kSlopeStep);
+  return slope_at_zero(kSlopeStep, [&](double s) -> std::optional<double> {
+    const auto there = nearest_orbit(at.x + s * along);
+    const std::optional<double> number = there ? excess(*there) : std::nullopt;
+    return number && here ? std::optional(level_.change(*here, *number)) : std::nullopt;
+  });
 }
 
 std::optional<OrbitCurve::Condition> LevelCurve::condition(const Vector& x) const {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "graze/continuation/branch/detail/locate.hpp"
+#include "graze/continuation/branch/detail/slope.hpp"
 #include "graze/continuation/special/detail/test_zeros.hpp"
 #include "graze/system/scale.hpp"
 
@@ -40,18 +41,12 @@ class LevelTest {
 
   // By arclength; `length`: that of a step of the branch there.
   std::optional<double> slope(const SolutionPoint& at, double length) {
-    const double h = kSlopeStep * length;
     const std::optional<double> here = excess(at);
-    double change = 0.0;
-    for (const auto& [steps, weight] : {std::pair(1.0, 8.0), std::pair(2.0, -1.0)})
-      for (const double side : {1.0, -1.0}) {
-        const auto there = corrector_.on_hyperplane(
-            corrector_.pack(at) + side * steps * h * at.tangent, at.tangent);
-        const std::optional<double> number = there ? excess(*there) : std::nullopt;
-        if (!number || !here) return {};
-        change += side * weight * level_.change(*here, *number);
-      }
-    return change / (12.0 * h);
+    return slope_at_zero(kSlopeStep * length, [&](double s) -> std::optional<double> {
+      const auto there = corrector_.on_hyperplane(corrector_.pack(at) + s * at.tangent, at.tangent);
+      const std::optional<double> number = there ? excess(*there) : std::nullopt;
+      return number && here ? std::optional(level_.change(*here, *number)) : std::nullopt;
+    });
   }
 
   // Where it passes a value between neighbours; nullopt where it does not, or jumps.
