@@ -257,16 +257,20 @@ BranchOptions slice_of(const Plane& plane, int starts) {
   return options;
 }
 
+OrbitLoci loci_of(const Plane& plane, int slices) {
+  LociOptions options;
+  options.branches = slice_of(plane, 4);
+  options.second_from = plane.range[2];
+  options.second_to = plane.range[3];
+  options.kinds = {OrbitLocusKind::kLevel};
+  options.slices = slices;
+  return trace_loci(plane.scene, plane.first, plane.second, options);
+}
+
 TEST(Levels, OfLociAreThoseOfSlices) {
   for (const Plane& plane : planes()) {
     SCOPED_TRACE(plane.name);
-    LociOptions options;
-    options.branches = slice_of(plane, 4);
-    options.second_from = plane.range[2];
-    options.second_to = plane.range[3];
-    options.kinds = {OrbitLocusKind::kLevel};
-    options.slices = 1;
-    const OrbitLoci loci = trace_loci(plane.scene, plane.first, plane.second, options);
+    const OrbitLoci loci = loci_of(plane, 1);
     ASSERT_FALSE(loci.loci.empty());
     int compared = 0;
     for (const OrbitLocus& locus : loci.loci) {
@@ -306,13 +310,7 @@ TEST(Levels, MeetFoldsWhereTheseHaveThem) {
   elastic.level.value = 2.0;
   for (const Plane& plane : {rigid, elastic}) {
     SCOPED_TRACE(plane.name);
-    LociOptions options;
-    options.branches = slice_of(plane, 4);
-    options.second_from = plane.range[2];
-    options.second_to = plane.range[3];
-    options.kinds = {OrbitLocusKind::kLevel};
-    options.slices = 3;
-    const OrbitLoci loci = trace_loci(plane.scene, plane.first, plane.second, options);
+    const OrbitLoci loci = loci_of(plane, 3);
     ASSERT_EQ(loci.loci.size(), 1u);  // whatever slices it was started from
     const auto& special = loci.loci[0].special;
     const auto met = std::find_if(special.begin(), special.end(),

@@ -22,10 +22,12 @@ struct OrbitQuantity {
   std::optional<double> (*of)(const System& system, const Orbit& orbit, std::optional<int> stop);
 };
 
-template <class List>
-auto first_on(const List& list, std::optional<int> stop) {
-  return std::find_if(list.begin(), list.end(),
-                      [&](const auto& one) { return !stop || one.stop == *stop; });
+// Of the first impact on the stop.
+template <double OrbitImpact::*number>
+std::optional<double> of_first_impact(const System&, const Orbit& orbit, std::optional<int> stop) {
+  for (const OrbitImpact& impact : orbit.impacts)
+    if (!stop || impact.stop == *stop) return impact.*number;
+  return {};
 }
 
 // The longest of those on the stop; none without any.
@@ -37,18 +39,6 @@ std::optional<double> longest_on(const List& list, std::optional<int> stop,
     if (!stop || one.stop == *stop)
       longest = std::max(longest.value_or(0.0), std::optional<double>(duration(one)).value_or(0.0));
   return longest;
-}
-
-std::optional<double> speed(const System&, const Orbit& orbit, std::optional<int> stop) {
-  const auto impact = first_on(orbit.impacts, stop);
-  return impact == orbit.impacts.end() ? std::optional<double>()
-                                       : std::optional<double>(impact->speed);
-}
-
-std::optional<double> phase(const System&, const Orbit& orbit, std::optional<int> stop) {
-  const auto impact = first_on(orbit.impacts, stop);
-  return impact == orbit.impacts.end() ? std::optional<double>()
-                                       : std::optional<double>(impact->phase);
 }
 
 std::optional<double> contact_duration(const System&, const Orbit& orbit, std::optional<int> stop) {
@@ -82,8 +72,8 @@ std::optional<double> period(const System& system, const Orbit& orbit, std::opti
   return orbit.period * system.period();
 }
 
-constexpr OrbitQuantity kOfOrbits[] = {{"speed", true, 0.0, speed},
-                                       {"phase", true, kTurn, phase},
+constexpr OrbitQuantity kOfOrbits[] = {{"speed", true, 0.0, of_first_impact<&OrbitImpact::speed>},
+                                       {"phase", true, kTurn, of_first_impact<&OrbitImpact::phase>},
                                        {"contact-duration", true, 0.0, contact_duration},
                                        {"stuck-duration", true, 0.0, stuck_duration},
                                        {"impulse", true, 0.0, impulse},
