@@ -66,6 +66,15 @@ SpecialPoints special_points(const StoredResult& run) {
                   run.folder.string()));
 }
 
+// That `scene` is the run's but for these parameters; `folder`: the run's as it was given.
+void require_scene_of(const StoredResult& run, const std::string& folder, const char* option,
+                      const Scene& scene, const std::vector<std::string>& parameters) {
+  const std::string difference = scene_difference(run.scene, scene, parameters);
+  if (!difference.empty())
+    throw InputError(fmt::format("{}: the run in {} is of another scene: {}; give {} as the scene",
+                                 option, folder, difference, (run.folder / kSceneFile).string()));
+}
+
 // The n-th point of branches, row by row of their table.
 Restart point_of_branches(const BranchRecord& record, int n, const Scene& scene) {
   std::size_t left = static_cast<std::size_t>(n) - 1;
@@ -120,10 +129,7 @@ std::optional<Restart> read_restart(const ContinueCommand& command, const Scene&
     const SpecialPoints special = special_points(run);
     restart = {special_called(options.label, folder, special.points), special.parameters, scene};
   }
-  const std::string difference = scene_difference(run.scene, scene, restart.parameters);
-  if (!difference.empty())
-    throw InputError(fmt::format("{}: the run in {} is of another scene: {}; give {} as the scene",
-                                 option, folder, difference, (run.folder / kSceneFile).string()));
+  require_scene_of(run, folder, option, scene, restart.parameters);
   for (std::size_t i = 0; i < restart.parameters.size(); ++i)
     restart.scene = with_parameter(
         restart.scene, restart.parameters[i],
@@ -168,12 +174,7 @@ std::optional<SettledStart> read_state(const ContinueCommand& command, const Sce
   }
   const StoredResult run = read_result(name);
   refuse_own_folder(command, run.folder, "--from-state");
-  const std::string difference = scene_difference(run.scene, scene, {});
-  if (!difference.empty())
-    throw InputError(
-        fmt::format("--from-state: the run in {} is of another scene: {}; give {} as the "
-                    "scene",
-                    name, difference, (run.folder / kSceneFile).string()));
+  require_scene_of(run, name, "--from-state", scene, {});
   start.state = end_of_run(run, name, system);
   return start;
 }

@@ -87,10 +87,7 @@ std::optional<double> multiplier_rate(const ZeroProblem& problem,
     const auto there = corrector.on_hyperplane(corrector.pack(at) + s * at.tangent, at.tangent);
     if (!there) return {};
     const auto list = problem.multipliers(there->u, there->parameters(), ErrorBounds::kLeftOut);
-    const auto critical =
-        std::min_element(list.begin(), list.end(), [](const Eigenvalue& a, const Eigenvalue& b) {
-          return std::abs(a.value + 1.0) < std::abs(b.value + 1.0);
-        });
+    const auto critical = nearest_to(list, -1.0);
     return critical == list.end() ? std::nullopt : std::optional(critical->value.real());
   });
   const double moved = at.rate() * corrector.range();

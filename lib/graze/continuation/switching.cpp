@@ -53,12 +53,7 @@ void list_crossing(Branch& branch) {
   const auto index = static_cast<std::size_t>(here - branch.points.begin());
   CriticalPoint critical{CriticalKind::kBranchPoint, *here, at_ends ? 0 : index - 1, {}};
   critical.point.bracket = bracket_around({here->parameter}, true);
-  if (!here->multipliers.empty())
-    critical.multiplier =
-        *std::min_element(here->multipliers.begin(), here->multipliers.end(),
-                          [](const Eigenvalue& a, const Eigenvalue& b) {
-                            return std::abs(a.value - 1.0) < std::abs(b.value - 1.0);
-                          });
+  if (!here->multipliers.empty()) critical.multiplier = *nearest_to(here->multipliers, 1.0);
   if (at_ends) {
     branch.critical.insert(branch.critical.begin(), std::move(critical));
     return;

@@ -1,6 +1,7 @@
 // An eigenvalue and what rounding may have done to it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -23,5 +24,13 @@ struct Eigenvalue {
     return std::abs(value.imag()) <= 2.0 * error ? Complex(value.real()) : value;
   }
 };
+
+// The one nearest to a number; the end of an empty list.
+template <class List>
+auto nearest_to(List& list, const Complex& value) {
+  return std::min_element(list.begin(), list.end(), [&](const Eigenvalue& a, const Eigenvalue& b) {
+    return std::abs(a.value - value) < std::abs(b.value - value);
+  });
+}
 
 }  // namespace graze

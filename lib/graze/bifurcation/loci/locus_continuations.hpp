@@ -20,6 +20,7 @@ struct OrbitLocusStart {
   std::size_t level = 0;            // of UZ and EX: which of the levels
 
   std::array<double, 2> place() const { return {first, second}; }
+  bool meets_stops() const { return followed || !orbit.impacts.empty(); }
 };
 
 // An orbit at a special point as a start of its locus. For a locus of grazing it is relabelled to

@@ -9,7 +9,7 @@ namespace graze {
 
 LocusTracer::CurveStart LocusTracer::level(const OrbitLocusStart& start) {
   const std::array<double, 2> place = start.place();
-  if (start.followed || !start.orbit.impacts.empty()) {
+  if (start.meets_stops()) {
     const std::vector<Written> list = written(start);
     return list.empty() ? CurveStart()
                         : level_from(start, problems_.clear_of_contacts(list.front(), place));
@@ -34,8 +34,7 @@ LocusTracer::CurveStart LocusTracer::level_from(const OrbitLocusStart& start, co
 
 // Its unknown in every form in which its curve may be known.
 std::vector<LocusTracer::CurveStart> LocusTracer::forms_of(const OrbitLocusStart& start) {
-  const bool is_written = start.followed || !start.orbit.impacts.empty();
-  if (!is_of_level(start.kind) || !is_written) return {curve_at(start)};
+  if (!is_of_level(start.kind) || !start.meets_stops()) return {curve_at(start)};
   std::vector<CurveStart> forms;
   for (const Written& here : written(start))
     for (const Written& one : problems_.on_every_section(here, start.place()))

@@ -54,16 +54,13 @@ bool is_of_orbits(const CriticalPoint& critical) {
 }
 
 OrbitBranchPoint with_critical(OrbitBranchPoint at, const CriticalPoint& critical) {
-  if (critical.kind == CriticalKind::kLevel || critical.kind == CriticalKind::kExtreme) return at;
+  if (is_of_level(critical.kind)) return at;
   const bool is_pair = critical.kind == CriticalKind::kTorus;
   Complex where = critical.kind == CriticalKind::kPeriodDoubling ? -1.0 : 1.0;
   if (is_pair && critical.multiplier) where = critical.multiplier->value;
   std::vector<Eigenvalue> multipliers = at.orbit.multipliers;
   for (const Complex at_circle : {where, std::conj(where)}) {
-    const auto nearest = std::min_element(
-        multipliers.begin(), multipliers.end(), [&](const Eigenvalue& a, const Eigenvalue& b) {
-          return std::abs(a.value - at_circle) < std::abs(b.value - at_circle);
-        });
+    const auto nearest = nearest_to(multipliers, at_circle);
     if (nearest == multipliers.end()) return at;
     nearest->error = std::max(nearest->error, std::abs(std::abs(nearest->value) - 1.0));
     if (!is_pair) break;

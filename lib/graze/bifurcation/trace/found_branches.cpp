@@ -124,9 +124,7 @@ class Parting {
     if (!orbits->system_at(critical.point.parameters())) return;
     Waypoint here{&critical.point, place_of(orbits, critical.point)};
     here.kept = is_of_orbits(critical) && !passes_unseen(critical);
-    const bool of_number =
-        critical.kind == CriticalKind::kLevel || critical.kind == CriticalKind::kExtreme;
-    if (here.kept && (of_number || !here.place.at.orbit.impacts.empty())) {
+    if (here.kept && (is_of_level(critical.kind) || !here.place.at.orbit.impacts.empty())) {
       here.place.at = with_critical(std::move(here.place.at), critical);
       here.place.special = as_special(critical, here.place.at);
     }

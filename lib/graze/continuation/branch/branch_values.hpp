@@ -103,6 +103,11 @@ enum class CriticalKind {
   kExtreme          // EX: it is largest or smallest
 };
 
+// UZ and EX.
+inline bool is_of_level(CriticalKind kind) {
+  return kind == CriticalKind::kLevel || kind == CriticalKind::kExtreme;
+}
+
 // "LP", "PD", "NS", "BP", "UZ", "EX".
 const char* label_of(CriticalKind kind);
 

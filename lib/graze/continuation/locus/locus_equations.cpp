@@ -19,12 +19,6 @@ constexpr double kOnLocus = 1e-7;
 // Number of points in a box, by which their distances are tested together.
 constexpr std::size_t kBlock = 32;
 
-std::vector<Eigenvalue>::iterator nearest_to(std::vector<Eigenvalue>& list, const Complex& value) {
-  return std::min_element(list.begin(), list.end(), [&](const Eigenvalue& a, const Eigenvalue& b) {
-    return std::abs(a.value - value) < std::abs(b.value - value);
-  });
-}
-
 Matrix critical_matrix(const ZeroEvaluation& at, double mu) {
   return at.jacobian + (mu - 1.0) * at.closing;
 }

@@ -161,10 +161,7 @@ std::optional<SolutionPoint> CircleCrossings::add_meeting(const SolutionPoint& a
   if (!point) return {};
   point->multipliers = multipliers_of(*point);
   if (point->multipliers.empty()) return {};
-  const auto nearest = std::min_element(point->multipliers.begin(), point->multipliers.end(),
-                                        [](const auto& m, const auto& n) {
-                                          return std::abs(m.value + 1.0) < std::abs(n.value + 1.0);
-                                        });
+  const auto nearest = nearest_to(point->multipliers, -1.0);
   found_.push_back({CriticalKind::kPeriodDoubling, *point, step_,
                     Eigenvalue{nearest->value.real(), nearest->error}});
   return point;
