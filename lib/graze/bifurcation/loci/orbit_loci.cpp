@@ -169,11 +169,11 @@ class LociTracer {
     if (*kind == OrbitLocusKind::kExtreme && !over_first) return {};
     if (!orbit.meets_stops())
       return OrbitLocusStart{*kind, {}, place.first, place.second, 1.0, {}, special.level};
-    std::optional<OrbitLocusStart> start =
-        orbit.section
-            ? OrbitLocusStart{*kind, {}, place.first, place.second, place.multiplier, orbit}
-            : locus_start(*family.at(moved), *kind, {orbit.pattern(), orbit.points(), 0},
-                          special.by_speed, place);
+    if (orbit.section)
+      return OrbitLocusStart{*kind, {},           place.first, place.second, place.multiplier,
+                             orbit, special.level};
+    std::optional<OrbitLocusStart> start = locus_start(
+        *family.at(moved), *kind, {orbit.pattern(), orbit.points(), 0}, special.by_speed, place);
     if (start) start->level = special.level;
     return start;
   }
