@@ -148,16 +148,27 @@ class Tracer {
 
   // The end of a step, which is halved until it is accepted; h becomes the accepted length.
   std::optional<SolutionPoint> next_point(GrowingBranch& branch, double& h, double& turn) {
-    h = std::min(h, stepper_.longest(branch.last()));
-    while (true) {
-      if (auto next = stepper_.step(branch.before_last(), branch.last(), h, turn)) return next;
+    const double longest = std::min(h, stepper_.longest(branch.last()));
+    if (auto next = halved_step(branch, h = longest, turn, Stepper::WayBack::kJudged)) return next;
+    if (branch.last().orientation == 0)
+      if (auto next = halved_step(branch, h = longest, turn, Stepper::WayBack::kLeftOut))
+        return next;
+    if (!corrector_.pack(branch.last()).allFinite()) return {};
+    return crossing_.pass(branch, h);
+  }
+
+  std::optional<SolutionPoint> halved_step(GrowingBranch& branch, double& h, double& turn,
+                                           Stepper::WayBack way_back) {
+    // Below this the two ends of a step are the same point in double precision.
+    const double least = 1e3 * std::numeric_limits<double>::epsilon() *
+                         (1.0 + corrector_.pack(branch.last()).norm());
+    do {
+      if (auto next = stepper_.step(branch.before_last(), branch.last(), h, turn, 0.0, way_back))
+        return next;
       branch.count_rejected();
       h *= 0.5;
-      // Below this the two ends of a step are the same point in double precision.
-      const double size = 1.0 + corrector_.pack(branch.last()).norm();
-      if (!std::isfinite(size)) return {};
-      if (h < 1e3 * std::numeric_limits<double>::epsilon() * size) return crossing_.pass(branch, h);
-    }
+    } while (h >= least);
+    return {};
   }
 
   const ZeroProblem& problem_;

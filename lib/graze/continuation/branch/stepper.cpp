@@ -83,14 +83,15 @@ std::optional<SolutionPoint> Stepper::point_ahead(const SolutionPoint* before,
 }
 
 std::optional<SolutionPoint> Stepper::step(const SolutionPoint* before, const SolutionPoint& here,
-                                           double h, double& turn, double passing) {
+                                           double h, double& turn, double passing,
+                                           WayBack way_back) {
   const Vector x = corrector_.pack(here);
   std::optional<SolutionPoint> next = point_ahead(before, here, h);
   if (!next) return {};
   const Vector chord = corrector_.pack(*next) - x;
   turn = angle(next->tangent, here.tangent);
   if (turn > options_.max_turn) return {};
-  if (!leads_back(x, *next, chord)) return {};
+  if (way_back == WayBack::kJudged && !leads_back(x, *next, chord)) return {};
   // The two sides of one fold have opposite directions. At a branch point the orientation does
   // change; a step this short cannot jump to another branch.
   if (next->orientation * here.orientation < 0 &&

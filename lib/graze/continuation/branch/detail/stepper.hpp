@@ -29,11 +29,16 @@ class Stepper {
   // there is none.
   Vector prediction(const SolutionPoint* before, const SolutionPoint& here, double h) const;
 
+  // Whether the way back from the end of a step must lead to its start. From a branch point
+  // Newton's method may lead back onto the other branch, however short the step.
+  enum class WayBack { kJudged, kLeftOut };
+
   // The end of a step of length h, on a limit where it would pass one; nullopt when the step is
   // refused. A branch point may be passed by a step of at most the length `passing`. Sets `turn` to
   // the angle between the tangents, rad, as soon as the corrector converges.
   std::optional<SolutionPoint> step(const SolutionPoint* before, const SolutionPoint& here,
-                                    double h, double& turn, double passing = 0.0);
+                                    double h, double& turn, double passing = 0.0,
+                                    WayBack way_back = WayBack::kJudged);
 
  private:
   std::optional<SolutionPoint> point_ahead(const SolutionPoint* before, const SolutionPoint& here,
