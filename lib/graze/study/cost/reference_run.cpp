@@ -1,5 +1,7 @@
 #include "graze/study/cost/reference_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
