@@ -113,6 +113,7 @@ RunInfo info_of_call(const SceneOptions& command, const Scene& scene) {
   RunInfo info = run_info(command.name, command.scene, scene);
   info.arguments = command.arguments;
   info.settings = command.settings;
+  info.folder = command.out;
   return info;
 }
 

@@ -31,6 +31,10 @@ double level_in(const json& document) {
 
 std::string number(double value) { return json(value).dump(); }
 
+bool is_near(const json& a, const json& b) {
+  return std::abs(a.get<double>() - b.get<double>()) < 1e-9;
+}
+
 class Start : public ::testing::Test {
  protected:
   std::string folder(const std::string& name) const { return (scratch_ / name).string(); }
@@ -50,6 +54,36 @@ TEST_F(Start, FromAnOrbitThatWasFound) {
            " --level speed=" + number(orbits["orbits"][0]["speeds"][0].get<double>()));
   EXPECT_EQ(branches["branches"].size(), 1u);
   EXPECT_NEAR(level_in(branches), 0.0, 1e-12);
+}
+
+// The orbits of a page, each with the command that continues from exactly it.
+TEST_F(Start, FromThePointsOfAPage) {
+  const std::string file = folder("x.html");
+  const Finished made = run_graze(
+      "continue --quiet --parameter forcing.frequency --from 58 --to 62 "
+      "--out " +
+      folder("run") + " --plot " + file + " " + kOneMode);
+  if (made.err.find("built without npm") != std::string::npos) GTEST_SKIP() << made.err;
+  ASSERT_EQ(made.code, 0) << made.err;
+  const std::string page = read_text(file), open = "id=\"orbits\">";
+  const std::size_t from = page.find(open) + open.size();
+  const json orbits = json::parse(page.substr(from, page.find("</script>", from) - from));
+  std::size_t of_rows = 0, of_labels = 0;
+  for (const json& orbit : orbits) {
+    const std::string command = orbit["command"].get<std::string>();
+    ASSERT_TRUE(command.starts_with("graze continue ")) << command;
+    const bool is_row = command.find(" --from-orbit ") != std::string::npos;
+    if (is_row ? of_rows++ % 8 > 0 : of_labels++ > 1) continue;
+    bool there = false;
+    const json result = told(command.substr(6) + " --quiet");
+    for (const json& branch : result["branches"])
+      for (const json& point : branch["points"])
+        there = there || (is_near(point["value"], orbit["value"]) &&
+                          is_near(point["speed"], orbit["impacts"][0]["speed"]));
+    EXPECT_TRUE(there) << command;
+  }
+  EXPECT_GT(of_rows, 20u);
+  EXPECT_GT(of_labels, 0u);
 }
 
 // Points of a branch that sticks, and of one on an elastic stop, in another parameter.

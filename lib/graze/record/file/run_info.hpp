@@ -23,6 +23,7 @@ struct RunInfo {
   std::vector<std::pair<std::string, OptionValue>> options;  // those that were given or used
   // The arguments of the program, and "NAME=VALUE" of what was set in the scene.
   std::vector<std::string> arguments{}, settings{};
+  std::string folder{};      // that the result is in; empty: none
   Units units = Units::kSi;  // of the scene, in which its results are given
 };
 

@@ -156,6 +156,7 @@ StoredResult read_result(const std::filesystem::path& place) {
         info.scene_text = scene_text;
         info.arguments = head.arguments;
         info.settings = head.settings;
+        info.folder = result.folder.string();
         complete(record, result.scene);
       },
       result.record);

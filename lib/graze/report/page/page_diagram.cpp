@@ -55,17 +55,23 @@ class DiagramOrbits {
   void add_branches(const ChartThings& things) {
     const std::vector<OrbitBranch>& branches = record_.traced.branches;
     const std::size_t most = std::min(fit_, kMostOfBranches);
-    std::size_t points = 0;
+    std::size_t points = 0, row = 0;
     for (const OrbitBranch& branch : branches) points += branch.points.size();
     for (std::size_t b = 0; b < branches.size(); ++b) {
       const OrbitBranch& branch = branches[b];
       const std::size_t share = points > most ? most * branch.points.size() / points : points;
       keep(kept_of(branch.points.size(), std::max<std::size_t>(2, share)), numbers_.of(b, 0),
-           [&](std::size_t k) { return orbit_at(branch.points[k]); });
+           [&, row](std::size_t k) {
+             return orbit_at(branch.points[k],
+                             fmt::format("--from-orbit {} --orbit {}", folder(), row + k + 1));
+           });
+      row += branch.points.size();
       for (std::size_t k = 0; k < branch.special.size(); ++k) {
         const int thing = numbers_.of(b, -1 - static_cast<int>(k));
         keep({0}, thing, [&](std::size_t) {
-          Json orbit = orbit_at(branch.special[k].at);
+          const SpecialPoint& special = branch.special[k];
+          Json orbit =
+              orbit_at(special.at, fmt::format("--restart {} --label {}", folder(), special.id));
           const int kind = things.kind[static_cast<std::size_t>(thing)];
           if (orbit.is_object()) orbit["name"] = things.kinds[static_cast<std::size_t>(kind)].title;
           return orbit;
@@ -124,10 +130,20 @@ class DiagramOrbits {
     }
   }
 
-  Json orbit_at(const OrbitBranchPoint& point) const {
+  std::string folder() const { return shell_word(record_.info.folder); }
+
+  // `start`: the options that continue from there, where the result is in a folder.
+  Json orbit_at(const OrbitBranchPoint& point, const std::string& start) const {
     const std::optional<System> system = family_.at(point.value);
     if (!system) return nullptr;
-    return page_orbit(source_, *system, point.orbit, point.value);
+    Json json = page_orbit(source_, *system, point.orbit, point.value);
+    if (!record_.info.folder.empty())
+      json["command"] =
+          fmt::format("{} {} --parameter {} --from {} --to {}",
+                      page_command(record_.info, "continue", {}), start,
+                      shell_word(record_.traced.parameter), record_.from, record_.to) +
+          (point.orbit.admissible ? "" : " --virtual");
+    return json;
   }
 
   const BranchRecord& record_;

@@ -23,7 +23,7 @@ void fields(Archive&, std::optional<BeamPlaces>&) {}
 template <class Archive>
 void fields(Archive& archive, RunInfo& info) {
   RunInfo told = info;
-  told.scene_text.clear(), told.arguments.clear(), told.settings.clear();
+  told.scene_text.clear(), told.arguments.clear(), told.settings.clear(), told.folder.clear();
   with_members(told, [&](auto&... members) { (archive(members), ...); });
   if constexpr (Archive::kReads) info = std::move(told);
 }
