@@ -112,6 +112,7 @@ int run_loci(const ContinueCommand& command) {
   require_harmonics(scene);
   LociOptions options = loci_options(command, scene);
   options.branches.levels = levels_of(command, "", scene);
+  options.branches.normal_forms = command.normal_forms;
   check_levels(command, options);
   if (restart) start_from(*restart, command, options);
   LociRecord record;

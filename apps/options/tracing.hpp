@@ -47,9 +47,10 @@ void describe(auto& v, ContinueCommand& o) {
   describe_levels(v, o);
   v.flag(
       "normal_forms", o.normal_forms,
-      "Compute the normal forms of folds (LP) and doublings (PD), and say on which side the orbits "
-      "beside them exist and whether doubled ones are stable",
-      Excludes{{"locus"}}, kOfResult.where(o.normal_forms));
+      "Compute the normal forms of folds (LP), doublings (PD) and tori (NS), and say on which side "
+      "the orbits beside them exist and whether they are stable; with --locus mark where those of "
+      "PD and NS vanish (GPD, GNS)",
+      kOfResult.where(o.normal_forms));
   describe_closure_speed(v, o);
   describe_locus_kinds(v, o,
                        "Trace loci of special points over two parameters instead of branches: LP, "

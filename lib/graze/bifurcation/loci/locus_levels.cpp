@@ -25,7 +25,7 @@ LocusTracer::CurveStart LocusTracer::level_from(const OrbitLocusStart& start, co
   Curves& curves = curves_[{&problem, -2 - static_cast<int>(start.level)}];
   const double unit = first_range(options_);
   if (!curves.curve)
-    curves.curve = std::make_unique<LevelCurve>(problem, one.u.size(), levels_[start.level],
+    curves.curve = std::make_unique<LevelCurve>(problem, one.u.size(), orbits_.levels[start.level],
                                                 std::array{unit, second_range(options_)});
   Vector y(one.u.size() + 1);
   y << one.u, start.first / unit;

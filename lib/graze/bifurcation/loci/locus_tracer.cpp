@@ -12,6 +12,7 @@
 #include "graze/bifurcation/loci/detail/segment_grazing.hpp"
 #include "graze/bifurcation/trace/detail/orbit_kinds.hpp"
 #include "graze/continuation/branch.hpp"
+#include "graze/continuation/normal_form.hpp"
 #include "graze/continuation/special/detail/crossing_tests.hpp"
 #include "graze/orbit/problem/detail/laid_orbit.hpp"
 
@@ -53,9 +54,9 @@ struct LocusTracer::Within {
 
 LocusTracer::LocusTracer(const Scene& scene, const std::string& first, const std::string& second,
                          const LocusOptions& options, const SegmentOptions& segment,
-                         const std::vector<OrbitLevel>& levels)
+                         const BranchOptions& orbits)
     : options_(options),
-      levels_(levels),
+      orbits_(orbits),
       scale_(own_scale(scene, first)),
       problems_(scene, {first, second}, {first_range(options), second_range(options)}, scale_,
                 segment) {}
@@ -123,6 +124,21 @@ LocusOptions LocusTracer::options_for(const LocusOrbits& orbits) const {
   return options;
 }
 
+void LocusTracer::mark_zeros(LocusOptions& options, const LaidOrbits& orbits) {
+  if (!orbits_.normal_forms) return;
+  const OrbitProblem &once = *orbits.problem, &doubled = *problems_.doubled(orbits).problem;
+  options.coefficient = [&](const LocusPoint& at) -> std::optional<double> {
+    SolutionPoint point;
+    point.u = at.u;
+    point.tangent = Vector::Zero(at.u.size() + 1);
+    const Vector twice = once.twice_round(point).u;
+    // Sections at a release have the halves of a doubled orbit as no unknowns.
+    if (twice.size() != 2 * at.u.size()) return {};
+    return cubic_coefficient(doubled.problem(), twice, std::array{at.first, at.second},
+                             std::polar(1.0, at.angle));
+  };
+}
+
 bool LocusTracer::knows_critical(const OrbitLocusStart& start) {
   for (const Written& here : written(start))
     for (const Written& one : problems_.on_every_section(here, start.place())) {
@@ -142,8 +158,9 @@ LocusAnswer LocusTracer::trace_critical(const OrbitLocusStart& start) {
   if (list.empty() || !(*list.front().orbits)->has_multipliers()) return answer;
   const Written one = problems_.clear_of_contacts(list.front(), start.place());
   const Critical& critical = critical_of(*one.orbits);
-  answer.critical =
-      trace_locus((*one.orbits)->problem(), options_for(*critical.orbits), as_start(start, one));
+  LocusOptions options = options_for(*critical.orbits);
+  mark_zeros(options, *one.orbits);
+  answer.critical = trace_locus((*one.orbits)->problem(), options, as_start(start, one));
   if (!answer.critical) return answer;
   answer.evaluations = answer.critical->evaluations;
   answer.trace = as_trace(start.kind, *critical.orbits, *answer.critical);

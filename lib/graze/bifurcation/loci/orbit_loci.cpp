@@ -67,7 +67,7 @@ class LociTracer {
         systems_(scene, {first, second}),
         range_(options_of(options)),
         segment_{0.0, options.branches.finder.max_impacts, options.branches.stop},
-        tracer_(scene, first, second, range_, segment_, options.branches.levels) {
+        tracer_(scene, first, second, range_, segment_, options.branches) {
     if (are_same_parameter(first, second))
       throw InputError(first + ": a locus takes two parameters that differ from one another");
     if (const auto fault = fault_in(options.branches)) throw InputError(fault->text());
@@ -140,6 +140,7 @@ class LociTracer {
       return;  // the scene does not allow it
     }
     BranchOptions branches = options_.branches;
+    branches.normal_forms = false;
     branches.from = from;
     branches.to = to;
     if (parameter != result_.first) branches.max_step = 0.0;
@@ -217,7 +218,7 @@ class LociTracer {
     std::vector<LocusAnswer> answers(starts.size());
     while (beside_.size() + 1 < starts.size())
       beside_.emplace_back(scene_, result_.first, result_.second, range_, segment_,
-                           options_.branches.levels);
+                           options_.branches);
     for_each_index(starts.size(), options_.branches.finder.threads, [&](std::size_t i) {
       LocusTracer& tracer = i == 0 ? tracer_ : beside_[i - 1];
       if (i > 0) tracer.set_closure_speed(tracer_.closure_speed());

@@ -40,7 +40,7 @@ struct BranchOptions {
   // none.
   int follow_depth = 0;
   std::vector<OrbitLevel> levels{};  // marked along the branches: UZ and EX
-  bool normal_forms = false;         // of LP and PD
+  bool normal_forms = false;         // of LP, PD and NS; along loci where they vanish
   // Also branches through the orbits of these motions, whatever their period and impacts.
   std::vector<SettledStart> settled{};
   // Instead of all starts: only the branch through it, and those that `follow_depth` leads to.

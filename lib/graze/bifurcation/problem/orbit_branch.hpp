@@ -52,8 +52,8 @@ struct SpecialPoint {
   bool interrupted = false;
   // For a grazing: whether an impact that leaves its stop at rest (r = 0) begins to stick there.
   bool by_push = false;
-  std::size_t level = 0;  // for UZ and EX: which of the levels that were asked for
-  std::optional<NormalForm> normal{};  // of LP and PD, where it was asked for
+  std::size_t level = 0;               // for UZ and EX: which of the levels that were asked for
+  std::optional<NormalForm> normal{};  // of LP, PD and NS, where it was asked for
 
   // Phase, rad, and approach speed, m/s, of the orbit's first impact; for a lift-off those of the
   // flight that shrinks to nothing. Returns nullopt when there is neither.

@@ -284,10 +284,15 @@ void BranchCollector::add_normal_forms() {
       const LaidOrbits& orbits = *found.continuations[k].orbits;
       if (special.kind == SpecialKind::kFold)
         special.normal = fold_form(orbits->problem(), continuation_, special.solution);
-      if (special.kind == SpecialKind::kPeriodDoubling)
-        special.normal = doubling_form(orbits->problem(), continuation_, special.solution,
-                                       problems_.doubled(orbits)->problem(),
-                                       orbits->twice_round(special.solution));
+      if (special.kind != SpecialKind::kPeriodDoubling && special.kind != SpecialKind::kTorus)
+        continue;
+      const ZeroProblem& doubled = problems_.doubled(orbits)->problem();
+      const SolutionPoint twice = orbits->twice_round(special.solution);
+      special.normal =
+          special.kind == SpecialKind::kTorus
+              ? torus_form(orbits->problem(), continuation_, special.solution, *special.multiplier,
+                           doubled, twice)
+              : doubling_form(orbits->problem(), continuation_, special.solution, doubled, twice);
     }
 }
 

@@ -15,7 +15,7 @@ struct OrbitBranches {
   std::string parameter;
   std::vector<OrbitBranch> branches;
   std::vector<std::string> levels{};  // names of those that were marked, by SpecialPoint::level
-  bool has_normal_forms = false;  // those of LP and PD were asked for
+  bool has_normal_forms = false;      // those of LP, PD and NS were asked for
   // Units of the unknowns in the solutions at special points, and the range of the parameter in
   // which their tangents are given.
   MotionScale scale;

@@ -155,25 +155,40 @@ class EquationLocusTracer {
     return (*values)[k < own ? k : k - own];
   }
 
+  // The coefficient of a normal form has poles where another of the values vanishes, and is
+  // multiplied by it. (At R3 only its imaginary part has one.)
   std::optional<Vector> own_tests(const SolutionPoint& from, const SolutionPoint& at) {
-    if (kind_ == LocusKind::kTorus)
-      return Vector{{at.u[n_ + 1] - 2.0 * kPi / 3.0, at.u[n_ + 1] - kPi / 2.0, fold_test(at)}};
+    const double fold = kind_ == LocusKind::kFold ? 0.0 : fold_test(at);
+    if (kind_ == LocusKind::kTorus) {
+      const double third = at.u[n_ + 1] - 2.0 * kPi / 3.0, fourth = at.u[n_ + 1] - kPi / 2.0;
+      return Vector{{third, fourth, fold, coefficient(at) * fold}};
+    }
     const std::optional<std::array<double, 2>> degenerate = equations_.degeneracies(from, at);
     if (!degenerate) return {};
-    if (kind_ == LocusKind::kFold) return Vector{{(*degenerate)[0], (*degenerate)[1]}};
-    return Vector{{(*degenerate)[1], fold_test(at)}};
+    const auto& [bend, pairing] = *degenerate;
+    if (kind_ == LocusKind::kFold) return Vector{{bend, pairing}};
+    return Vector{{pairing, fold, coefficient(at) * pairing * fold}};
   }
 
   std::vector<LocusPointKind> test_kinds() const {
     if (kind_ == LocusKind::kFold) return {LocusPointKind::kCusp, LocusPointKind::kResonance1};
     if (kind_ == LocusKind::kPeriodDoubling)
-      return {LocusPointKind::kResonance2, LocusPointKind::kFoldDoubling};
-    return {LocusPointKind::kResonance3, LocusPointKind::kResonance4, LocusPointKind::kFoldTorus};
+      return {LocusPointKind::kResonance2, LocusPointKind::kFoldDoubling,
+              LocusPointKind::kDegenerateDoubling};
+    return {LocusPointKind::kResonance3, LocusPointKind::kResonance4, LocusPointKind::kFoldTorus,
+            LocusPointKind::kDegenerateTorus};
+  }
+
+  // NaN where it is not asked for.
+  double coefficient(const SolutionPoint& at) const {
+    return options_.coefficient ? options_.coefficient(unpack(at)).value_or(std::nan(""))
+                                : std::nan("");
   }
 
   // Changes sign where one of the other multipliers passes 1; NaN where they are not known.
   double fold_test(const SolutionPoint& at) const {
     if (!problem_.multipliers) return std::nan("");
+    if (n_ == (kind_ == LocusKind::kTorus ? 2 : 1)) return 1.0;  // there are no others
     const std::vector<Eigenvalue> list =
         at.multipliers.empty()
             ? equations_.other_multipliers(at.u, at.parameter, ErrorBounds::kLeftOut)

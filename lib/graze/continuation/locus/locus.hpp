@@ -13,8 +13,8 @@
 //
 // Special points are named as MatCont names them (Govaerts, Khoshsiar Ghaziani, Kuznetsov, Meijer,
 // SIAM J. Sci. Comput. 29 (2007) 2644). Two of one kind between neighbouring points are missed,
-// except those made by further multipliers that pass -1 or leave the circle as a pair. Those that
-// need third derivatives (degenerate doublings and tori: GPD, CH) are not searched for.
+// except those made by further multipliers that pass -1 or leave the circle as a pair. Those at
+// which a normal form degenerates (GPD, GNS) are searched for where its coefficient is given.
 #pragma once
 
 #include <cstddef>

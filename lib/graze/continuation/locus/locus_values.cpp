@@ -39,6 +39,10 @@ const char* label_of(LocusPointKind kind) {
       return "PDNS";
     case LocusPointKind::kTwoTori:
       return "NSNS";
+    case LocusPointKind::kDegenerateDoubling:
+      return "GPD";
+    case LocusPointKind::kDegenerateTorus:
+      return "GNS";
     case LocusPointKind::kCrossing:
       return "BP";
   }

@@ -35,7 +35,10 @@ enum class LocusPointKind {
   kTwoDoublings,   // PDPD: -1 twice, each with its vector
   kDoublingTorus,  // PDNS: -1 and a pair on the unit circle
   kTwoTori,        // NSNS: two pairs on the unit circle
-  kCrossing        // BP: another locus of this kind crosses
+  // Where the coefficient of the normal form vanishes (LocusOptions::coefficient):
+  kDegenerateDoubling,  // GPD: sub- and supercritical doublings meet
+  kDegenerateTorus,     // GNS: such tori, the Chenciner point
+  kCrossing             // BP: another locus of this kind crosses
 };
 
 // "CP", "R1", .. as above.
@@ -124,6 +127,9 @@ struct LocusOptions {
   // located. The points passed have only their critical multipliers. Returns nullopt when the
   // values are not known. Empty function: no tests.
   std::function<std::optional<Vector>(const LocusPoint& point)> tests{};
+  // On PD and NS the coefficient of the normal form (normal_form.hpp), to any factor of one sign;
+  // nullopt where it is not known. Empty function: its zeros are not searched for.
+  std::function<std::optional<double>(const LocusPoint& point)> coefficient{};
 };
 
 }  // namespace graze

@@ -70,13 +70,14 @@ void describe_special(ResultVisitor& v, const SpecialPoint& special, int branch,
     v.field({"level", "", "at UZ and EX the one that was asked for, `stop.1.speed=0.5`; else null"},
             named_level(levels, is_of_level(special.kind), special.level));
   if (traced.has_normal_forms) {
-    v.field({"coefficient", "", "of the normal form at LP and PD; at PD > 0: supercritical"},
+    v.field({"coefficient", "",
+             "of the normal form at LP, PD and NS; supercritical at PD > 0, at NS < 0"},
             special.normal ? std::optional(special.normal->coefficient) : std::nullopt);
-    v.field(
-        {"opening", "",
-         "the orbits beside it (PD: the doubled ones) lie at `value` + `opening` x^2, x along the "
-         "critical eigenvector"},
-        special.normal ? std::optional(special.normal->opening) : std::nullopt);
+    v.field({"opening", "",
+             "the orbits beside it (PD: the doubled ones, NS: the torus) lie at `value` + "
+             "`opening` x^2, "
+             "x along the critical eigenvector"},
+            special.normal ? std::optional(special.normal->opening) : std::nullopt);
     const std::string words = words_beyond(special);
     v.field({"beyond", "", "the same in words"}, named(words));
   }

@@ -54,8 +54,8 @@ void describe_locus(ResultVisitor& v, const OrbitLocus& locus,
            v.row("special", [&] {
              v.field({"id", "", "`CP-1`, .."}, special.id);
              v.field({"label", "",
-                      "`CP`, `R1`.. `R4`, `LPPD`, `LPNS`, `PDPD`, `PDNS`, `NSNS`, `BP`; `LPGR`, "
-                      "`PDGR`, `NSGR`, `GRGR`"},
+                      "`CP`, `R1`.. `R4`, `LPPD`, `LPNS`, `PDPD`, `PDNS`, `NSNS`, `BP`; with "
+                      "`--normal-forms` `GPD`, `GNS`; `LPGR`, `PDGR`, `NSGR`, `GRGR`"},
                      special.label);
              v.field(Field{"locus", "", "its id"}.tabular(), locus.id);
              describe_point(v, locus.kind, special.at);

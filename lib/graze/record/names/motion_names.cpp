@@ -143,12 +143,14 @@ std::string words_beyond(const SpecialPoint& special) {
   if (!special.normal) return "";
   const std::string side = special.normal->opening > 0.0 ? "above" : "below";
   if (special.kind == SpecialKind::kFold) return "the orbits exist " + side;
-  const bool supercritical = special.normal->coefficient > 0.0;
+  const bool is_torus = special.kind == SpecialKind::kTorus;
+  const bool supercritical = (special.normal->coefficient > 0.0) != is_torus;
   // Beside a multiplier outside the circle nothing is stable.
   const bool others_inside = special.at.unstable_multipliers == 0;
   const std::string stable = supercritical ? "is stable and " : "is unstable and ";
-  return std::string(supercritical ? "supercritical" : "subcritical") + ": the doubled orbit " +
-         (others_inside ? stable : "") + "exists " + side;
+  return std::string(supercritical ? "supercritical" : "subcritical") +
+         (is_torus ? ": the torus " : ": the doubled orbit ") + (others_inside ? stable : "") +
+         "exists " + side;
 }
 
 std::string name_of(OrbitLocusEnd end) {

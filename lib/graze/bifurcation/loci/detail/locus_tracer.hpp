@@ -10,6 +10,7 @@
 
 #include "graze/bifurcation/loci/detail/orbit_curve.hpp"
 #include "graze/bifurcation/loci/locus_continuations.hpp"
+#include "graze/bifurcation/problem/branch_options.hpp"
 #include "graze/bifurcation/problem/orbit_level.hpp"
 #include "graze/bifurcation/trace/detail/orbit_problems.hpp"
 #include "graze/continuation/branch/detail/known_branch.hpp"
@@ -29,11 +30,12 @@ struct LocusAnswer {
 // For one thread at a time.
 class LocusTracer {
  public:
-  // Requires that the scene allows its own values. Refers to the scene and to the levels.
-  // `segment`: as of OrbitProblems.
+  // Requires that the scene allows its own values. Refers to the scene and to the options of the
+  // orbits: their levels, and whether zeros of normal forms are marked, GPD and GNS. `segment`: as
+  // of OrbitProblems.
   LocusTracer(const Scene& scene, const std::string& first, const std::string& second,
               const LocusOptions& options, const SegmentOptions& segment,
-              const std::vector<OrbitLevel>& levels);
+              const BranchOptions& orbits);
   LocusTracer(const LocusTracer&) = delete;
   LocusTracer& operator=(const LocusTracer&) = delete;
 
@@ -72,6 +74,7 @@ class LocusTracer {
   Critical& critical_of(const LaidOrbits& orbits);
   static bool is_along(OrbitLocusKind kind);  // a curve with a condition of its own
   LocusOptions options_for(const LocusOrbits& orbits) const;
+  void mark_zeros(LocusOptions& options, const LaidOrbits& orbits);  // of normal forms
   LocusOptions options_along(const OrbitCurve& curve) const;
   bool knows_critical(const OrbitLocusStart& start);
   bool knows_along(const OrbitLocusStart& start);
@@ -95,7 +98,7 @@ class LocusTracer {
                        std::vector<Within> within) const;
 
   LocusOptions options_;
-  const std::vector<OrbitLevel>& levels_;
+  const BranchOptions& orbits_;
   MotionScale scale_;
   OrbitProblems problems_;
   std::optional<double> closure_speed_;  // m/s, that of the first orbit that is followed
