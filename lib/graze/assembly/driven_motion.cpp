@@ -10,7 +10,6 @@
 
 #include "graze/base/linalg/detail/dense_factors.hpp"
 #include "graze/scene/detail/table_paths.hpp"
-#include "graze/scene/discrete_matrices.hpp"
 
 namespace graze {
 namespace {
@@ -147,9 +146,9 @@ class DriveSum {
                          double phase_rate) const {
     const double behind = phase - order * phase_.value, moves = phase_rate - order * phase_.rate;
     const double c = std::cos(behind), n = std::sin(behind);
-    return {{order, c * size.value, -n * size.value},
-            {order, c * size.rate - n * moves * size.value,
-             -n * size.rate - c * moves * size.value}};
+    return {
+        {order, c * size.value, -n * size.value},
+        {order, c * size.rate - n * moves * size.value, -n * size.rate - c * moves * size.value}};
   }
 
   void add(const Rated<Harmonic>& part, std::vector<Harmonic>& value, std::vector<Harmonic>& rate) {
@@ -190,34 +189,39 @@ class DriveSum {
         sum_.rate.forcing.harmonics);
   }
 
-  // A support that moves by y presses with k y + c y', c y' a quarter of a turn ahead.
+  // A support that moves by y presses with y by the stiffness, y' by damping and y'' by mass.
   void add_support(const HarmonicLoad& load, const HarmonicLoad* moved, double order,
                    std::size_t k) {
     const Rated<double> frequency = frequency_of(order);
-    const std::array<double, 2> springs = support_of(scene_, load);
-    const std::array<double, 2> rates =
-        moved ? support_of(*direction_, load) : std::array<double, 2>{};
+    const double w = frequency.value;
     const Rated<double> factors[] = {
-        {springs[0], rates[0]},
-        {frequency.value * springs[1], frequency.rate * springs[1] + frequency.value * rates[1]}};
-    double ahead = 0.0;
-    for (const auto& [factor, factor_rate] : factors) {
-      const Vector& on = model_.participations[k];
-      Rated<Vector> force{load.amplitude * factor * on, none()};
-      if (moved)
-        force.rate = (moved->amplitude * factor + load.amplitude * factor_rate) * on +
-                     load.amplitude * factor * rate_->participations[k];
-      add(turned(order, force, load.phase + ahead, moved ? moved->phase : 0.0),
+        {1.0, 0.0}, {w, frequency.rate}, {-w * w, -2.0 * w * frequency.rate}};
+    const Matrix none_following = Matrix::Zero(none().size(), 2);
+    const Matrix& following = model_.following[supports_];
+    const Matrix& following_rate = moved ? rate_->following[supports_] : none_following;
+    ++supports_;
+    for (int i = 0; i < 3; ++i) {
+      const Vector on = i == 0 ? model_.participations[k] : Vector(following.col(i - 1));
+      const Vector on_rate = i > 0   ? Vector(following_rate.col(i - 1))
+                             : moved ? rate_->participations[k]
+                                     : none();
+      if (on.isZero(0.0) && on_rate.isZero(0.0)) continue;
+      const auto& [factor, factor_rate] = factors[i];
+      const Rated<Vector> force{
+          load.amplitude * factor * on,
+          ((moved ? moved->amplitude : 0.0) * factor + load.amplitude * factor_rate) * on +
+              load.amplitude * factor * on_rate};
+      // A velocity is a quarter of a turn ahead.
+      add(turned(order, force, load.phase + (i == 1 ? std::numbers::pi / 2.0 : 0.0),
+                 moved ? moved->phase : 0.0),
           sum_.value.forcing.harmonics, sum_.rate.forcing.harmonics);
-      ahead += std::numbers::pi / 2.0;
     }
   }
 
   // A clamp that is accelerated leaves the structure behind.
   void add_signal(const HarmonicLoad& load, const Vector& on) {
-    const double sign = load.kind == ForcingKind::kBase      ? -1.0
-                        : load.kind == ForcingKind::kSupport ? support_of(scene_, load)[0]
-                                                             : 1.0;
+    if (load.kind == ForcingKind::kSupport) ++supports_;
+    const double sign = load.kind == ForcingKind::kBase ? -1.0 : 1.0;
     const HarmonicForcing& forcing = sum_.value.forcing;
     const Harmonic::Timed timed{load.signal->course, forcing.frequency, forcing.phase};
     sum_.value.forcing.harmonics.push_back({0.0, sign * load.amplitude * on, none(), timed});
@@ -333,7 +337,8 @@ class DriveSum {
   const ModalModel& model_;
   const ModalModel* rate_;
   double common_ = 1.0;
-  bool moves_ = false;  // a stop does
+  std::size_t supports_ = 0;  // added so far
+  bool moves_ = false;        // a stop does
   Rated<double> frequency_{}, phase_{};
   Rated<DrivenMotion> sum_;
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "graze/base/errors.hpp"
 #include "graze/fem/matrix_file.hpp"
@@ -12,19 +13,24 @@ namespace {
 
 using Places = std::map<DofLabel, int>;
 
-// The matrix with its rows in the order of `places`; -1 leaves a row out.
-SparseMatrix reordered(const LabelledMatrix& given, const Places& places, int size) {
+// The matrix with its rows and columns in the order of places; -1 leaves one out.
+struct Order {
+  const Places& places;
+  int size;
+};
+SparseMatrix reordered(const LabelledMatrix& given, const Order& rows, const Order& columns) {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(static_cast<std::size_t>(given.matrix.nonZeros()));
-  std::vector<int> to;
-  for (const DofLabel& label : given.labels) to.push_back(places.at(label));
+  std::vector<std::array<int, 2>> to;
+  for (const DofLabel& label : given.labels)
+    to.push_back({rows.places.at(label), columns.places.at(label)});
   for (int j = 0; j < given.matrix.outerSize(); ++j)
     for (SparseMatrix::InnerIterator entry(given.matrix, j); entry; ++entry) {
-      const int row = to[static_cast<std::size_t>(entry.row())];
-      const int column = to[static_cast<std::size_t>(j)];
+      const int row = to[static_cast<std::size_t>(entry.row())][0];
+      const int column = to[static_cast<std::size_t>(j)][1];
       if (row >= 0 && column >= 0) entries.emplace_back(row, column, entry.value());
     }
-  SparseMatrix matrix(size, size);
+  SparseMatrix matrix(rows.size, columns.size);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
 }
@@ -198,21 +204,27 @@ StructuralMatrices join_matrices(const LabelledMatrix& mass, const LabelledMatri
   StructuralMatrices result;
   result.mass_file = mass.file;
   result.stiffness_file = stiffness.file;
-  Places kept;
+  Places free_places, held_places;
   for (const DofLabel& label : labels) {
     const bool is_held = std::binary_search(held.begin(), held.end(), label);
-    kept[label] = is_held ? -1 : result.size();
+    free_places[label] = is_held ? -1 : result.size();
+    held_places[label] = is_held ? static_cast<int>(result.held.size()) : -1;
     (is_held ? result.held : result.labels).push_back(label);
   }
   if (result.labels.empty())
     throw InputError(fmt::format("{}: every degree of freedom is held", stiffness.file));
-  result.mass = reordered(mass, kept, result.size());
-  result.stiffness = reordered(stiffness, kept, result.size());
+  const Order kept{free_places, result.size()}, whole{all, static_cast<int>(labels.size())},
+      left{held_places, static_cast<int>(result.held.size())};
+  result.mass = reordered(mass, kept, kept);
+  result.held_mass = reordered(mass, kept, left);
+  result.stiffness = reordered(stiffness, kept, kept);
+  result.held_stiffness = reordered(stiffness, kept, left);
   if (damping) {
-    result.damping = reordered(*damping, kept, result.size());
+    result.damping = reordered(*damping, kept, kept);
+    result.held_damping = reordered(*damping, kept, left);
     result.damping_file = damping->file;
   }
-  add_inertia(result, reordered(mass, all, static_cast<int>(labels.size())), labels, kept, nodes);
+  add_inertia(result, reordered(mass, whole, whole), labels, free_places, nodes);
   result.couplings = coupled_nodes(stiffness);
   check_rows(result);
   return result;

@@ -36,6 +36,9 @@ struct StructuralMatrices {
   std::optional<SparseMatrix> damping;  // n x n, N s/m; need not be symmetric
   std::vector<DofLabel> labels;         // n, of the free degrees of freedom
   std::vector<DofLabel> held;           // those left out, in the order of the files
+  // The columns of the same matrices by which those held act on the free ones, n by as many.
+  SparseMatrix held_mass, held_stiffness;
+  std::optional<SparseMatrix> held_damping;
   // By direction 1, 2, 3 (0 where degrees of freedom have none): the forces M r by which a unit
   // acceleration of all of them, held ones included, loads the free ones (n), and r^T M r. Where
   // the nodes of the mesh are known, of those alone.

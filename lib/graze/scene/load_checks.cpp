@@ -38,19 +38,23 @@ namespace {
 // lines has no more of than its slope.
 void check_support(const Scene& scene, const HarmonicLoad& load, const std::string& table) {
   const ValueChecker checker(scene, table);
-  const std::array<double, 2> springs = support_of(scene, load);
+  // Those of matrices are checked where these are read.
+  const std::array<double, 2> springs =
+      scene.lumped() ? support_of(scene, load) : std::array<double, 2>{1.0, 0.0};
   if (springs[0] == 0.0 && springs[1] == 0.0)
-    checker.fail("kind", fmt::format("nothing connects mass {} with the ground, it must be a mass with "
-                                     "a spring to 0",
-                                     load.at.node));
+    checker.fail("kind",
+                 fmt::format("nothing connects mass {} with the ground, it must be a mass with "
+                             "a spring to 0",
+                             load.at.node));
   if (load.signal && springs[1] != 0.0)
     checker.fail("signal",
                  "the support has a dashpot, whose force would jump at each instant of the signal; "
                  "the dashpot must be left out, or the signal be one of forces");
   if (scene.has_load(ForcingKind::kBase))
-    checker.fail("kind",
-                 "displacements count from the base where that moves, and from where supports stand "
-                 "where these do; the loads must be of one of both kinds");
+    checker.fail(
+        "kind",
+        "displacements count from the base where that moves, and from where supports stand "
+        "where these do; the loads must be of one of both kinds");
 }
 
 void check_load(const Scene& scene, const HarmonicLoad& load, const std::string& table) {
@@ -59,9 +63,10 @@ void check_load(const Scene& scene, const HarmonicLoad& load, const std::string&
   if (load.signal && load.kind == ForcingKind::kNone)
     checker.fail("kind", "a signal is that of a load, it must not be \"none\"");
   if (scene.forcing->signal && !scene.forcing->signal->repeats && load.order)
-    checker.fail("order",
-                 "the first load is a signal that does not repeat, there must be a frequency in its "
-                 "place");
+    checker.fail(
+        "order",
+        "the first load is a signal that does not repeat, there must be a frequency in its "
+        "place");
   if (load.kind == ForcingKind::kSupport) check_support(scene, load, table);
   const ModalStructure* modal = scene.modal();
   if (load.has_place()) check_load_point(scene, load.at, table);
@@ -100,12 +105,13 @@ void check_forcing(const Scene& scene) {
   for (const HarmonicLoad* load : scene.harmonic_loads())
     check_load(scene, *load, numbered_path("forcing", ++number));
   if (!(scene.common_order() > 0.0))
-    throw scene_error(scene,
-                      !scene.further.empty()      ? "forcing.2.order"
-                      : scene.has_moving_stop()   ? "stop.motion"
-                                                  : "forcing.order",
-                      "the frequencies of loads and stops have no common period of up to 64 periods of "
-                      "the forcing, orders must be whole numbers or ratios of small ones");
+    throw scene_error(
+        scene,
+        !scene.further.empty()    ? "forcing.2.order"
+        : scene.has_moving_stop() ? "stop.motion"
+                                  : "forcing.order",
+        "the frequencies of loads and stops have no common period of up to 64 periods of "
+        "the forcing, orders must be whole numbers or ratios of small ones");
 }
 
 // What moves in time needs a frequency, and what stays in space something that is shaken.
@@ -125,9 +131,10 @@ void check_motion(const Scene& scene, const SceneStop& stop, const std::string& 
                         "that stays in space meanwhile is not simulated, it must be left out");
   if (stop.motion.empty()) return;
   if (scene.forcing && scene.forcing->signal && !scene.forcing->signal->repeats)
-    throw scene_error(scene, table + ".motion",
-                      "the first load is a signal that does not repeat, so there is no frequency for "
-                      "stops to move by; it must stand behind a harmonic one");
+    throw scene_error(
+        scene, table + ".motion",
+        "the first load is a signal that does not repeat, so there is no frequency for "
+        "stops to move by; it must stand behind a harmonic one");
   if (scene.hub)
     throw scene_error(scene, table + ".motion",
                       "a stop of a structure on a hub does not move, it must be left out");

@@ -11,13 +11,12 @@
 #include "graze/fem/detail/text_lines.hpp"
 #include "graze/fem/dof_values.hpp"
 #include "graze/fem/matrix_file.hpp"
+#include "graze/scene/detail/dof_names.hpp"
 #include "graze/scene/detail/keys.hpp"
 #include "graze/scene/discrete_matrices.hpp"
 
 namespace graze {
 namespace {
-
-constexpr const char* kForm = "node.direction, or a number like \"7\"";
 
 // The checksum of the files that a structure names, in one order; "#NAME" in a Nastran file name
 // refers to a part of that file.
@@ -32,60 +31,6 @@ std::string files_checksum(const MatrixStructure& matrices) {
     text += sha256(read_bytes(whole ? name : name.substr(0, name.rfind('#')))) + "\n";
   }
   return sha256(text);
-}
-
-// The degrees of freedom that a text names: one, or one at each node of a set of the mesh, "TIP.3".
-std::vector<DofLabel> labels_of(const Scene& scene, const Mesh& mesh, const std::string& key,
-                                const std::string& text) {
-  if (const std::optional<DofLabel> label = label_from_text(text)) return {*label};
-  const std::size_t dot = std::min(text.rfind('.'), text.size());
-  const auto set = mesh.sets.find(in_capitals(text.substr(0, dot)));
-  if (set == mesh.sets.end())
-    throw scene_error(
-        scene, key,
-        fmt::format("\"{}\" is not allowed, it must be {}, or in place of the node a set of nodes "
-                    "(*NSET) in the file of coordinates",
-                    text, kForm));
-  // As the direction of a node of the set is read.
-  const std::optional<DofLabel> direction = label_from_text("1" + text.substr(dot));
-  if (!direction || direction->direction == 0)
-    throw scene_error(
-        scene, key,
-        fmt::format("\"{}\" names a set of nodes without a direction there, it must be "
-                    "like \"{}.3\"",
-                    text, text.substr(0, dot)));
-  std::vector<DofLabel> labels;
-  for (const long node : set->second)
-    labels.push_back({node, direction->direction, direction->row});
-  return labels;
-}
-
-DofLabel label_of(const Scene& scene, const Mesh& mesh, const std::string& key,
-                  const std::string& text) {
-  const std::vector<DofLabel> labels = labels_of(scene, mesh, key, text);
-  if (labels.size() == 1) return labels.front();
-  throw scene_error(scene, key,
-                    fmt::format("\"{}\" is not allowed, the set has {} nodes, it must have one",
-                                text, labels.size()));
-}
-
-std::vector<DofLabel> constraints_of(const Scene& scene, const MatrixStructure& matrices,
-                                     const Mesh& mesh) {
-  std::vector<DofLabel> held;
-  for (const std::string& text : matrices.constraints)
-    for (const DofLabel& label : labels_of(scene, mesh, "matrices.constraints", text))
-      held.push_back(label);
-  if (!matrices.constraints_file.empty())
-    for (const DofLabel& label : read_dof_names(matrices.constraints_file)) held.push_back(label);
-  return held;
-}
-
-// A hint for messages: CalculiX writes no row of a held degree of freedom, nor its mass.
-const char* left_out(const Scene& scene) {
-  return scene.matrices()->dofs.empty() ? ""
-                                        : "; CalculiX leaves out what *BOUNDARY holds: written "
-                                          "without it, all are there and can "
-                                          "be held by constraints_file";
 }
 
 // Rows of points on the free degrees of freedom.
@@ -169,17 +114,73 @@ Vector load_of(const Scene& scene, const MatrixStructure& matrices,
   return load;
 }
 
-// Of stops, loads and the points of the forcing.
-Matrix acting_points(const Scene& scene, const PointRows& rows) {
+// Where a support moves the structure is pushed by what held degrees of freedom do to free ones.
+MovedSupport support_of_matrices(const Scene& scene, const StructuralMatrices& structure,
+                                 const Mesh& mesh, const HarmonicLoad& load,
+                                 const std::string& table, const MatrixModes& found) {
+  const std::string key = table + ".node";
+  if (load.at.node.empty()) throw scene_error(scene, key, "the key is missing");
+  if (!load.at.against.empty())
+    throw scene_error(scene, table + ".against", "a support moves in space, it must be left out");
+  MovedSupport support{Matrix::Zero(structure.size(), 3), {}};
+  Matrix& forces = support.forces;
+  for (const DofLabel& label : labels_of(scene, mesh, key, load.at.node)) {
+    const auto held = std::find(structure.held.begin(), structure.held.end(), label);
+    if (held == structure.held.end())
+      throw scene_error(
+          scene, key,
+          structure.find(label)
+              ? fmt::format("{} is free, a support must be held (constraints)", label_text(label))
+              : structure.absence(label) + left_out(scene));
+    const Eigen::Index k = held - structure.held.begin();
+    forces.col(0) -= structure.held_stiffness.col(k);
+    if (structure.held_damping) forces.col(1) -= structure.held_damping->col(k);
+    forces.col(2) -= structure.held_mass.col(k);
+    support.coordinates.push_back(std::distance(found.rows.begin(), found.rows.find(label)));
+  }
+  if (forces.isZero(0.0))
+    throw scene_error(
+        scene, key,
+        fmt::format("nothing connects {} with what is free, it must hold something", load.at.node));
+  if (load.signal && !forces.rightCols(2).isZero(0.0))
+    throw scene_error(scene, table + ".signal",
+                      "mass or damping connects the support, whose force would jump at each "
+                      "instant of the signal; the load must be a harmonic, or the support be "
+                      "connected by stiffness alone");
+  return support;
+}
+
+void add_supports(const Scene& scene, const StructuralMatrices& structure, const Mesh& mesh,
+                  const PointRows& rows, MatrixModes& found) {
+  std::size_t number = 0;
+  for (const HarmonicLoad* load : scene.harmonic_loads()) {
+    const std::string table = numbered_path("forcing", ++number);
+    if (load->kind != ForcingKind::kSupport) continue;
+    if (scene.matrices()) {
+      found.supports.push_back(support_of_matrices(scene, structure, mesh, *load, table, found));
+      continue;
+    }
+    const Vector on = rows.row(table, load->at);
+    const std::array<double, 2> springs = support_of(scene, *load);
+    MovedSupport support{Matrix::Zero(structure.size(), 3), {}};
+    support.forces.leftCols(2) << springs[0] * on, springs[1] * on;
+    found.supports.push_back(std::move(support));
+  }
+}
+
+// Of stops, loads and the points of the forcing; of supports the forces per unit of displacement.
+Matrix acting_points(const Scene& scene, const PointRows& rows, const MatrixModes& found) {
   std::vector<Vector> list;
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
     list.push_back(rows.row(numbered_path("stop", i + 1), scene.stops[i]));
   for (std::size_t i = 0; i < scene.loads.size(); ++i)
     list.push_back(rows.row(numbered_path("load", i + 1), scene.loads[i]));
-  std::size_t number = 0;
+  std::size_t number = 0, support = 0;
   for (const HarmonicLoad* load : scene.harmonic_loads())
     if (++number; load->has_place())
-      list.push_back(rows.row(numbered_path("forcing", number), load->at));
+      list.push_back(load->kind == ForcingKind::kSupport
+                         ? Vector(found.supports[support++].forces.col(0))
+                         : rows.row(numbered_path("forcing", number), load->at));
   Matrix points(rows.size(), static_cast<Eigen::Index>(list.size()));
   for (std::size_t k = 0; k < list.size(); ++k) points.col(static_cast<Eigen::Index>(k)) = list[k];
   return points;
@@ -292,8 +293,7 @@ void give_modes(Scene& scene, const PointRows& rows, const MatrixModes& found) {
   const auto next_shape = [&] { return as_list(shapes.transpose() * found.points.col(column++)); };
   for (SceneStop& stop : scene.stops) stop.shape = next_shape();
   for (PointLoad& load : scene.loads) load.shape = next_shape();
-  if (scene.forcing && scene.forcing->has_place())
-    scene.forcing->at.shape = next_shape();
+  if (scene.forcing && scene.forcing->has_place()) scene.forcing->at.shape = next_shape();
   for (HarmonicLoad& load : scene.further)
     if (load.has_place()) load.at.shape = next_shape();
   for (std::size_t i = 0; i < scene.probes.size(); ++i) {
@@ -323,7 +323,11 @@ void solve_matrices(Scene& scene) {
   const StructuralMatrices structure = structural_matrices(scene, mesh);
   const auto found = std::make_shared<MatrixModes>();
   const PointRows rows(scene, structure, mesh);
-  found->points = acting_points(scene, rows);
+  for (const DofLabel& label : structure.labels)
+    found->rows.emplace(label, static_cast<Eigen::Index>(found->rows.size()));
+  for (const DofLabel& label : structure.held) found->rows.emplace(label, -1);
+  add_supports(scene, structure, mesh, rows, *found);
+  found->points = acting_points(scene, rows, *found);
   if (matrices) found->load = load_of(scene, *matrices, structure, mesh);
   const Matrix stops = found->points.leftCols(static_cast<Eigen::Index>(scene.stops.size()));
   const int most = static_cast<int>(structure.rows_with_mass().size());
@@ -335,9 +339,6 @@ void solve_matrices(Scene& scene) {
   const int direction = matrices ? matrices->direction : 0;
   found->modes = lowest_modes(structure, count, static_loads(stops, structure, direction));
   if (own) give_signs(found->modes.shapes);
-  for (const DofLabel& label : structure.labels)
-    found->rows.emplace(label, static_cast<Eigen::Index>(found->rows.size()));
-  for (const DofLabel& label : structure.held) found->rows.emplace(label, -1);
   if (own) found->momenta = all_momenta(structure, *found);
   found->total_masses = structure.total_masses;
   for (const auto& [along, load] : structure.inertia_loads)

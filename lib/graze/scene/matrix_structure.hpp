@@ -14,6 +14,13 @@
 
 namespace graze {
 
+// What a support that moves does to the free degrees of freedom.
+struct MovedSupport {
+  Matrix forces;  // per unit of its displacement, velocity and acceleration, n by 3
+  // Of matrices: the coordinates that move, in the order of MatrixModes::rows.
+  std::vector<Eigen::Index> coordinates;
+};
+
 struct MatrixModes {
   StructuralModes modes;
   std::optional<ModalDamping> damping{};  // of a damping matrix
@@ -34,9 +41,10 @@ struct MatrixModes {
   std::vector<MeshElement> elements;                  // of their file; may be none
   // Pairs of nodes that the stiffness couples, where coordinates are known.
   std::vector<std::pair<long, long>> couplings;
-  // Rows on the free degrees of freedom of the stops, the loads and, at a point, the forcing, n by
-  // as many.
+  // Rows on the free degrees of freedom of the stops, the loads and, at a point or a support, the
+  // forcing, n by as many.
   Matrix points;
+  std::vector<MovedSupport> supports;  // of the loads of that kind, in their order
   Vector load;  // of the forcing "load" on the free degrees of freedom, N per unit; empty: none
   // Phi^T M on all coordinates of a structure whose matrices stand in the scene, N by their number.
   Matrix momenta;

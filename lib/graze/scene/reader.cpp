@@ -305,7 +305,9 @@ void probe_loads(Scene& scene) {
   std::vector<StructurePoint> loaded(scene.loads.begin(), scene.loads.end());
   std::vector<StructurePoint> forced;
   for (const HarmonicLoad* load : scene.harmonic_loads())
-    if (load->has_place()) forced.push_back(load->at);
+    // What holds matrices is no place of the structure.
+    if (load->has_place() && !(load->kind == ForcingKind::kSupport && scene.matrices()))
+      forced.push_back(load->at);
   loaded.insert(loaded.begin(), forced.begin(), forced.end());
   for (const StructurePoint& at : loaded)
     scene.probes.push_back({at.position, at.shape, at.node, at.against});

@@ -23,7 +23,8 @@ namespace graze {
 
 enum class Side { kAbove, kBelow };
 enum class Impulse { kMomentum, kCollocation };
-// kSupport: the far end of the springs and dashpots between the ground and a mass moves; kNone: no
+// kSupport: the far end of the springs and dashpots between the ground and a mass moves, or what
+// holds a structure of matrices; kNone: no
 // force, its frequency is that of what moves otherwise.
 enum class ForcingKind { kBase, kDistributed, kModal, kPoint, kSupport, kNone };
 // What a stop stands on: the clamp, or ground, with which it is shaken, or what does not move.

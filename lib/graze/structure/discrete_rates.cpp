@@ -19,21 +19,28 @@ constexpr double kSame = 1e-9;
 // Of the sizes of what it is a difference of: some roundings.
 constexpr double kNothing = 1e3 * std::numeric_limits<double>::epsilon();
 
-// The rows and columns of the coordinates that nothing holds.
-Matrix free_part(const Matrix& whole, const MatrixModes& modes) {
+// The coordinates that nothing holds, in the order of the shapes' rows.
+std::vector<Index> free_coordinates(const MatrixModes& modes) {
   std::vector<Index> free(static_cast<std::size_t>(modes.free_count()));
   Index coordinate = 0;
   for (const auto& [label, row] : modes.rows) {
     if (row >= 0) free[static_cast<std::size_t>(row)] = coordinate;
     ++coordinate;
   }
+  return free;
+}
+Matrix free_part(const Matrix& whole, const MatrixModes& modes) {
+  const std::vector<Index> free = free_coordinates(modes);
   return whole(free, free);
 }
 
 class RatedShapes {
  public:
   RatedShapes(const Scene& scene, const Scene& direction)
-      : scene_(scene), found_(*scene.discrete()->solved), kept_(found_.modes) {
+      : scene_(scene),
+        direction_(direction),
+        found_(*scene.discrete()->solved),
+        kept_(found_.modes) {
     if (kept_.massless > 0)
       fail("degrees of freedom have no mass, of which modes have no derivative");
     if (kept_.count() < found_.free_count())
@@ -41,6 +48,7 @@ class RatedShapes {
     // The lowest are those kept, with the same signs.
     if (all_.count() > 0) all_.shapes.leftCols(kept_.count()) = kept_.shapes;
     const DiscreteMatrices rates = discrete_matrices(direction), own = discrete_matrices(scene);
+    rates_ = rates;
     mass_rate_ = free_part(rates.mass, found_);
     damping_rate_ = free_part(rates.damping, found_);
     damping_ = free_part(own.damping, found_);
@@ -52,7 +60,9 @@ class RatedShapes {
 
   DiscreteRates rates() const {
     const Index m = kept_.count();
-    DiscreteRates of{Vector::Zero(m), shapes_rate_.leftCols(m), {}, {}, {}, {}};
+    DiscreteRates of;
+    of.omega = Vector::Zero(m);
+    of.shapes = shapes_rate_.leftCols(m);
     for (Index j = 0; j < m; ++j) of.omega[j] = omega_rate_[j];
     const Matrix half = kept_.shapes.transpose() * damping_ * of.shapes;
     const Matrix other = of.shapes.transpose() * damping_ * kept_.shapes;
@@ -63,6 +73,7 @@ class RatedShapes {
           of.shapes.transpose() * (mass_ * ones) + kept_.shapes.transpose() * (mass_rate_ * ones);
     }
     add_static_rates(of);
+    add_supports(of);
     return of;
   }
 
@@ -145,9 +156,38 @@ class RatedShapes {
         seen * (compliance_rate.cwiseProduct(load) + compliance.cwiseProduct(load_rate));
   }
 
-  const Scene& scene_;
+  // Of the forces of supports: of the matrices between what they hold and what is free, or of the
+  // springs that stand on the ground.
+  Matrix support_rate(const HarmonicLoad& load, const MovedSupport& support) const {
+    Matrix rate = Matrix::Zero(found_.free_count(), 3);
+    const std::vector<Index> free = free_coordinates(found_);
+    for (const Index held : support.coordinates) {
+      rate.col(0) -= rates_.stiffness(free, held);
+      rate.col(1) -= rates_.damping(free, held);
+      rate.col(2) -= rates_.mass(free, held);
+    }
+    if (!scene_.lumped()) return rate;
+    const std::array<double, 2> springs = support_of(direction_, load);
+    const Index mass = *mass_named(*scene_.lumped(), load.at.node);
+    rate(mass, 0) = springs[0];
+    rate(mass, 1) = springs[1];
+    return rate;
+  }
+
+  void add_supports(DiscreteRates& of) const {
+    std::size_t next = 0;
+    for (const HarmonicLoad* load : scene_.harmonic_loads()) {
+      if (load->kind != ForcingKind::kSupport) continue;
+      const MovedSupport& support = found_.supports[next++];
+      of.supports.push_back(of.shapes.transpose() * support.forces +
+                            kept_.shapes.transpose() * support_rate(*load, support));
+    }
+  }
+
+  const Scene &scene_, &direction_;
   const MatrixModes& found_;
   const StructuralModes& kept_;
+  DiscreteMatrices rates_;
   StructuralModes all_;  // empty where those kept are all
   Matrix mass_, damping_, mass_rate_, damping_rate_, stiffness_rate_;
   Vector square_, omega_rate_;

@@ -141,8 +141,7 @@ Vector span_participation_rate(const Scene& scene, const Scene& direction, std::
                                const SpanModes& modes, const ModalModel& model,
                                const Matrix& phi_rate) {
   const HarmonicLoad& load = *scene.harmonic_loads()[k];
-  if (load.has_place())
-    return shape_rates_at(modes, load.at, direction.harmonic_loads()[k]->at);
+  if (load.has_place()) return shape_rates_at(modes, load.at, direction.harmonic_loads()[k]->at);
   const Vector& g = model.participations[k];
   if (load.kind == ForcingKind::kNone) return Vector::Zero(g.size());
   const bool distributed = load.kind == ForcingKind::kDistributed;
@@ -161,10 +160,10 @@ ModalModel given_numbers(const Scene& scene, const Scene& of) {
   model.omega = as_vector(modal.frequencies);
   for (const HarmonicLoad* load : of.harmonic_loads())
     model.participations.emplace_back(
-        load->kind == ForcingKind::kNone    ? Vector(Vector::Zero(model.omega.size()))
-        : load->kind == ForcingKind::kBase  ? Vector(as_vector(modal.inertia))
-        : load->has_place() ? Vector(as_vector(load->at.shape))
-                                            : Vector(as_vector(modal.participation)));
+        load->kind == ForcingKind::kNone   ? Vector(Vector::Zero(model.omega.size()))
+        : load->kind == ForcingKind::kBase ? Vector(as_vector(modal.inertia))
+        : load->has_place()                ? Vector(as_vector(load->at.shape))
+                                           : Vector(as_vector(modal.participation)));
   if (scene.gravity) model.inertia = as_vector(modal.inertia);
   for (const SceneStop& stop : of.stops) model.shapes.emplace_back(as_vector(stop.shape));
   for (const PointLoad& load : of.loads) model.loads.emplace_back(as_vector(load.shape));
@@ -175,6 +174,10 @@ ModalModel given_model(const Scene& scene) {
   ModalModel model = given_numbers(scene, scene);
   model.delta = decay_rates(scene, model.omega);
   if (const ModalDamping* damping = damping_of_matrices(scene)) model.coupling = damping->coupling;
+  if (scene.has_load(ForcingKind::kSupport))
+    for (const MovedSupport& support : scene.discrete()->solved->supports)
+      model.following.emplace_back(scene.discrete()->solved->modes.shapes.transpose() *
+                                   support.forces.rightCols(2));
   if (has_own_matrices(scene)) {
     const Matrix& shapes = scene.discrete()->solved->modes.shapes;
     if (shapes.rows() == shapes.cols()) model.coordinates = shapes;
@@ -203,12 +206,15 @@ ModalModel discrete_tangent(const Scene& scene, const ModalModel& model, const S
   for (std::size_t i = 0; i < scene.loads.size(); ++i) rate.loads.push_back(of_point(next++));
   const int along = scene.matrices() ? scene.matrices()->direction : 0;
   if (scene.gravity) rate.inertia = rates.inertia.at(along);
+  for (const Matrix& support : rates.supports) rate.following.emplace_back(support.rightCols(2));
+  std::size_t support = 0;
   for (const HarmonicLoad* load : scene.harmonic_loads())
-    rate.participations.push_back(load->has_place()  ? of_point(next++)
-                                  : load->kind == ForcingKind::kBase ? rates.inertia.at(along)
-                                  : load->kind == ForcingKind::kNone
-                                      ? Vector(Vector::Zero(rates.omega.size()))
-                                      : Vector(rates.shapes.transpose() * modes.load));
+    rate.participations.push_back(
+        load->kind == ForcingKind::kSupport ? (++next, Vector(rates.supports[support++].col(0)))
+        : load->has_place()                 ? of_point(next++)
+        : load->kind == ForcingKind::kBase  ? rates.inertia.at(along)
+        : load->kind == ForcingKind::kNone  ? Vector(Vector::Zero(rates.omega.size()))
+                                            : Vector(rates.shapes.transpose() * modes.load));
   return rate;
 }
 
@@ -218,6 +224,8 @@ ModalModel given_tangent(const Scene& scene, const ModalModel& model, const Scen
   if (scene.matrices()) {  // No parameter moves what files give.
     rate.omega.setZero();
     for (Vector& load : rate.participations) load.setZero();
+    for (const Matrix& force : model.following)
+      rate.following.emplace_back(Matrix::Zero(force.rows(), force.cols()));
     rate.inertia.setZero();
     for (Vector& shape : rate.shapes) shape.setZero();
     for (Vector& shape : rate.loads) shape.setZero();

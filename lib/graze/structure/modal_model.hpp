@@ -25,6 +25,9 @@ struct ModalModel {
   Matrix coupling;       // of the damping, 1/s, N x N with a zero diagonal; empty: none
   Matrix coordinates;    // of the masses or degrees of freedom by all modes, N x N, kg^-1/2; or none
   std::vector<Vector> participations;  // modal force per unit of each harmonic load, N each
+  // Of supports that move, in the order of their loads: modal force per unit of their velocity and
+  // of their acceleration, N x 2 each.
+  std::vector<Matrix> following;
   Vector inertia;  // modal force per unit of uniform acceleration, kg^1/2, N; empty: no gravity
   std::vector<Vector> shapes;  // phi_j at each stop, kg^-1/2, N each
   std::vector<Vector> loads;   // phi_j at each constant force, kg^-1/2, N each

@@ -56,6 +56,7 @@ inline constexpr std::array kModalForcings{Choice{"modal", ForcingKind::kModal},
 inline constexpr std::array kMatrixForcings{Choice{"base", ForcingKind::kBase},
                                             Choice{"load", ForcingKind::kModal},
                                             Choice{"point", ForcingKind::kPoint},
+                                            Choice{"support", ForcingKind::kSupport},
                                             Choice{"none", ForcingKind::kNone}};
 inline constexpr std::array kLumpedForcings{Choice{"base", ForcingKind::kBase},
                                             Choice{"point", ForcingKind::kPoint},

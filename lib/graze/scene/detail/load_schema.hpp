@@ -85,11 +85,13 @@ void describe_harmonic(auto& v, auto& forcing, const Scene& scene, const auto& f
       Key{"kind", "",
           own_rule("`\"point\"`; `\"base\"`; `\"distributed\"` with `[beam]`, `[string]` and "
                    "`[bar]` only; `\"modal\"` with `[modal]` only; `\"load\"` with "
-                   "`[matrices]` only; `\"support\"` with `[lumped]` only; `\"none\"`"),
+                   "`[matrices]` only; `\"support\"` with `[lumped]` and "
+                   "`[matrices]` only; `\"none\"`"),
           "point: a force at one point; base: displacement of the clamp and of all supports, "
           "or of the ground; distributed: force per length; modal: modal forces "
           "`participation` times amplitude; load: forces `load` times amplitude; support: displacement of "
-          "the far end of the springs to the ground at one mass; none: no force, "
+          "the far end of the springs to the ground at one mass, or of a held degree of freedom or "
+          "set; none: no force, "
           "only the frequency of stops that move"}
           .or_else(
               "`\"point\"` where a point is given, else `\"base\"`, with `[modal]` "

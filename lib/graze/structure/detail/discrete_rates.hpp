@@ -10,6 +10,7 @@
 #pragma once
 
 #include <map>
+#include <vector>
 
 #include "graze/base/vector.hpp"
 #include "graze/scene/scene.hpp"
@@ -21,6 +22,7 @@ struct DiscreteRates {
   Matrix shapes;                  // on the free degrees of freedom, by the modes kept
   Matrix damping;                 // of Phi^T C Phi
   std::map<int, Vector> inertia;  // as of MatrixModes
+  std::vector<Matrix> supports;   // of the modal forces of supports that move, N x 3 each
   // Of the static displacements of the stops, as of MatrixModes; not where the structure is free.
   Matrix flexibility;
   Vector under_gravity;
