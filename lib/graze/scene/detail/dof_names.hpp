@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "graze/fem/dof_label.hpp"
 #include "graze/fem/mesh_file.hpp"
 #include "graze/scene/scene.hpp"
 
