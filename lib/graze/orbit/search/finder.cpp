@@ -39,7 +39,7 @@ constexpr int kMostImpacts = 1024;
 constexpr int kGlobalRuns = 4;
 
 // Budgets of the local solves by the number of impacts: see
-// docs/decisions/0009.
+// docs/decisions/0053.
 PhaseSearchOptions search_budget(int impacts, bool explicitly) {
   PhaseSearchOptions budget;
   budget.starts = impacts == 1 ? kStartsOfOneImpact : impacts == 2 ? 64 : 128;
