@@ -1,11 +1,14 @@
 #!/usr/bin/env bash
-# Writes the page docs/validation.md from what the cases of tests/validation reached (GRAZE_VALIDATION):
-#   bash tests/validation/table.sh NOTES PAGE
+# Writes the page docs/validation.md, and all its numbers beside it, from what the cases of tests/validation
+# reached (GRAZE_VALIDATION):
+#   bash tests/validation/table.sh NOTES PAGE CSV
 set -euo pipefail
 notes=$1
 page=$2
+numbers=$3
 temporary=$(mktemp "$page.XXXXXX")
-trap 'rm -f "$temporary"' EXIT
+table=$(mktemp "$numbers.XXXXXX")
+trap 'rm -f "$temporary" "$table"' EXIT
 {
   cat <<'HEADER'
 # Graze against published numbers
@@ -17,7 +20,7 @@ not use Graze. The last cases, of hard motions, are not published at all and say
 
 The scenes are in `data/validation`, the numbers with their sources in `data/validation/published.toml`.
 `bash tests/validation.sh` runs every case, compares and writes this page anew; the same comparison is part of
-`bash tests/run.sh`.
+`bash tests/run.sh`. [validation.csv](validation.csv) has every number with the command that finds it, and says who errs.
 
 How close is close enough:
 
@@ -25,69 +28,53 @@ How close is close enough:
   its size.
 - Where a printed number is less exact than that, the number computed apart stands beside it. Graze then has to agree
   with that to 1e-10, relative, and the remark says who errs.
-- Where a source prints no number, Graze has to agree with the number computed apart to the same 1e-10. The column of
-  published numbers has the source's formula or a dash.
+- Where a source prints no number, Graze has to agree with the number computed apart to the same 1e-10.
 - Where a tolerance is another, the remark says why.
 
 Two papers that such a page is expected to have print no number of a motion that could stand here: A. B. Nordmark, J. Sound
 Vib. 145 (1991) 279, and W. Chin, E. Ott, H. E. Nusse and C. Grebogi, Phys. Rev. E 50 (1994) 4427. They derive what becomes of
 a motion beside a grazing; the hard cases G of `tests/hard` follow orbits into theirs, against closed forms.
 
-Deviations are |Graze - published|/|published|, of a published 0 |Graze|.
+Deviations are |Graze - published|/|published|, of a published 0 |Graze|. Where printed numbers deviate by more than their
+last digit, the number computed apart says how far Graze is off, and the remark in validation.csv says why.
 
 HEADER
-  LC_ALL=C sort -u "$notes" | awk -F'\t' '
+  LC_ALL=C sort -u "$notes" | awk -F'\t' -v table="$table" '
     function size(x) { return x < 0 ? -x : x }
     function part(a, b) { return b == 0 ? size(a) : size(a/b) }
-    function anchor(text) {
-      text = tolower(text); gsub(/[^a-z0-9 _-]/, "", text); gsub(/ /, "-", text); return text
+    function cell(text) { gsub(/"/, "\"\"", text); return "\"" text "\"" }
+    BEGIN {
+      print "case,source,link,scene,command,number,published,graze,relative_deviation,computed_apart,script,relative_deviation_from_it,share_of_allowed,remark" > table
     }
     substr($1, 4, 1) == "a" {
-      ++cases; name = $2; sub(/ \(commit.*/, "", name); sub(/: .*/, "", name)
-      if (!(name in first)) { first[name] = cases; names[++sources] = name }
-      of[cases] = name; source[cases] = $3 == "" ? $2 : "[" $2 "](" $3 ")"; title[cases] = $4; scene[cases] = $5; command[cases] = $6
+      title = $4; source = $2; link = $3; scene = $5; command = $6
+      name = scene SUBSEP source
+      if (!(name in of)) {
+        of[name] = ++rows
+        what[rows] = title; sub(/(: .*|, at .*| at [0-9.]+ s|, [0-9]+ ms after)$/, "", what[rows])
+        by = source; sub(/ \(commit.*/, "", by); from[rows] = link == "" ? by : "[" by "](" link ")"; file[rows] = scene
+      }
+      row = of[name]; ++cases[row]
     }
     # what, published, Graze, Graze - published, published, off what it is held to, allowed, independent, script,
     # because, "printed"
     substr($1, 4, 1) == "b" {
-      ++count[cases]
-      off = part($5, $6); held = part($7, $9 == "" ? $6 : $9)
-      if ($12 != "") { ++printed[cases]; if (off > worst[cases]) worst[cases] = off }
-      if ($9 != "") { ++apart[cases]; if (held > beside[cases]) beside[cases] = held }
-      if ($8 > 0 && $7/$8 > most[cases]) most[cases] = $7/$8
-      remark = $9 == "" ? $11 : "Computed apart: " $9 (held == 0 ? "" : sprintf(", Graze %.0e off", held)) "." ($11 == "" ? "" : " " $11)
-      rows[cases] = rows[cases] sprintf("| %s | %s | %s | %s | %s |\n", $2, $3, $4, $12 == "" ? "-" : off == 0 ? "0" : sprintf("%.1e", off), remark)
+      ++count[row]
+      off = part($5, $6); held = part($7, $9 == "" ? $6 : $9); share = $8 > 0 ? $7/$8 : 0
+      if ($12 != "") { ++printed[row]; if (off > worst[row]) worst[row] = off }
+      if ($9 != "") { ++apart[row]; if (held > beside[row]) beside[row] = held }
+      if (share > most[row]) most[row] = share
+      printf "%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%.3g,%s\n", cell(title), cell(source), cell(link), scene, cell("graze " command), cell($2),
+        cell($3), $4, $12 == "" ? "" : sprintf("%.1e", off), $9, $10, $9 == "" ? "" : sprintf("%.1e", held), share, cell($11) > table
     }
     END {
-      for (i = 1; i <= cases; ++i) {
-        n = of[i]; ++how[n]; numbers[n] += count[i]; sum_printed[n] += printed[i]; sum_apart[n] += apart[i]
-        if (worst[i] > source_worst[n]) source_worst[n] = worst[i]
-        if (beside[i] > source_beside[n]) source_beside[n] = beside[i]
-      }
-      print "## The sources\n"
-      print "The link goes to the first case of a source.\n"
-      print "| source | cases | numbers | printed by the source, largest deviation | computed apart, largest deviation |"
-      print "|---|---|---|---|---|"
-      for (i = 1; i <= sources; ++i) {
-        n = names[i]
-        printf "| [%s](#%s) | %d | %d | %s | %s |\n", n, anchor(title[first[n]]), how[n], numbers[n],
-          sum_printed[n] ? sprintf("%d, %.0e", sum_printed[n], source_worst[n]) : "-",
-          sum_apart[n] ? sprintf("%d, %.0e", sum_apart[n], source_beside[n]) : "-"
-      }
-      print "\n## The cases\n"
-      print "The last column has the largest deviation of a case as a share of what is allowed.\n"
-      print "| case | numbers | printed by the source, largest deviation | computed apart, largest deviation | share of what is allowed |"
-      print "|---|---|---|---|---|"
-      for (i = 1; i <= cases; ++i)
-        printf "| [%s](#%s) | %d | %s | %s | %.0f %% |\n", title[i], anchor(title[i]), count[i],
+      print "| what | source | numbers | printed by the source, largest deviation | computed apart, largest deviation | share of what is allowed |"
+      print "|---|---|---|---|---|---|"
+      for (i = 1; i <= rows; ++i)
+        printf "| [%s](../data/validation/%s) | %s | %d | %s | %s | %.0f %% |\n", what[i], file[i], from[i], count[i],
           printed[i] ? sprintf("%d, %.0e", printed[i], worst[i]) : "-", apart[i] ? sprintf("%d, %.0e", apart[i], beside[i]) : "-", 100*most[i]
-      for (i = 1; i <= cases; ++i) {
-        printf "\n## %s\n\nSource: %s. Scene: [%s](../data/validation/%s).\nCommand: `graze %s`.\n\n", title[i], source[i], scene[i], scene[i], command[i]
-        print "| what | published | Graze | relative deviation | remark |"
-        print "|---|---|---|---|---|"
-        printf "%s", rows[i]
-      }
     }'
 } > "$temporary"
-chmod 644 "$temporary"
+chmod 644 "$temporary" "$table"
+mv "$table" "$numbers"
 mv "$temporary" "$page"
