@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -16,19 +17,23 @@ namespace {
 
 using Rows = std::map<std::string, std::string>;  // by table, one row a line
 
-// The rows below each heading that begins with a table's name, "**`[beam]`**"; above the first
-// stand the keys outside tables.
+// The rows below each heading that begins with tables' names, "**`[beam.mass]`**, `[bar.mass]`:
+// ..", which have the same keys; above the first stand the keys outside tables.
 Rows rows_of_page() {
   Rows rows;
   std::ifstream page(std::string(GRAZE_SOURCE_DIR) + "/docs/scenes.md");
-  std::string table;
+  std::vector<std::string> tables{""};
   for (std::string line; std::getline(page, line) && line != "## Parameters and --set";) {
     if (line.starts_with("**`[")) {
-      const std::size_t begin = line.find_first_not_of("*`[");
-      table = line.substr(begin, line.find(']') - begin);
+      tables.clear();
+      static const std::regex kTable(R"((?:^\*\*|, )`\[+([\w.]+)\]+`)");
+      const std::string heading = line.substr(0, line.find(": "));
+      for (std::sregex_iterator at(heading.begin(), heading.end(), kTable), end; at != end; ++at)
+        tables.push_back((*at)[1]);
     }
     // The table of models has the name of a value, in quotes, where others have that of a key.
-    if (line.starts_with("| `") && !line.starts_with("| `\"")) rows[table] += line + "\n";
+    if (line.starts_with("| `") && !line.starts_with("| `\""))
+      for (const std::string& table : tables) rows[table] += line + "\n";
   }
   return rows;
 }
