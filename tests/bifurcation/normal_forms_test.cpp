@@ -251,6 +251,52 @@ TEST(NormalForms, SayWhatBranchesBesideThemDo) {
   EXPECT_GE(folds + doublings, 20);
 }
 
+// Beside a grazing of an elastic stop only short distances are within one motion. The doubled
+// orbits lie below and are stable, at every gap.
+TEST(NormalForms, AreSettledBesideShortContacts) {
+  for (const double gap : {0.2, 0.21, 0.22}) {
+    const SystemFamily family(
+        parse_scene(fmt::format("[lumped]\nmasses = [1]\n[[lumped.spring]]\nbetween = [0, 1]\n"
+                                "stiffness = 1\ndamping = 0.05\n[forcing]\nmass = 1\n"
+                                "amplitude = 1\nfrequency = 1.5\n[[stop]]\nmass = 1\ngap = {}\n"
+                                "[stop.spring]\nstiffness = 20\n",
+                                gap),
+                    "oscillator"),
+        "forcing.frequency");
+    const OrbitBranches traced = with_normal_forms(family, 2.3, 2.6);
+    std::vector<const SpecialPoint*> doublings;
+    for (const OrbitBranch& branch : traced.branches)
+      for (const SpecialPoint& special : branch.special)
+        if (special.kind == SpecialKind::kPeriodDoubling) doublings.push_back(&special);
+    ASSERT_EQ(doublings.size(), 1u);
+    ASSERT_TRUE(doublings[0]->normal);
+    EXPECT_GT(doublings[0]->normal->coefficient, 1e6);
+    EXPECT_LT(doublings[0]->normal->opening, 0.0);
+    if (gap > 0.2) continue;
+    BranchOptions options;
+    options.from = 2.3;
+    options.to = 2.6;
+    options.max_step = 0.002;
+    options.follow_depth = 1;
+    options.finder.from_random = false;
+    int below = 0;  // nearest to where the branch begins; it folds back soon
+    for (const OrbitBranch& branch : trace_orbits(family, options).branches) {
+      if (!branch.origin.starts_with("PD") || branch.points.size() < 3) continue;
+      const auto is_there = [&](const OrbitBranchPoint& point) {
+        return std::abs(point.value - doublings[0]->at.value) < 1e-13;
+      };
+      const bool at_front = is_there(branch.points.front());
+      if (!at_front && !is_there(branch.points.back())) continue;
+      const OrbitBranchPoint& next =
+          at_front ? branch.points[1] : branch.points[branch.points.size() - 2];
+      EXPECT_LT(next.value, doublings[0]->at.value);
+      EXPECT_EQ(next.orbit.stable, true);
+      ++below;
+    }
+    EXPECT_EQ(below, 1);
+  }
+}
+
 // Where the normal form of the tori changes its sign on slices beside the point.
 TEST(NormalForms, VanishOnLoci) {
   const Scene scene = parse_scene(two_modes(0.1), "two modes");

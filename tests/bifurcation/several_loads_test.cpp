@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "branch_checks.hpp"
+#include "graze/assembly/probes.hpp"
+#include "graze/bifurcation/trace/orbit_branches.hpp"
+#include "graze/orbit/orbit_amplitudes.hpp"
 #include "graze/scene/reader.hpp"
 
 namespace graze {
@@ -45,6 +48,37 @@ TEST(SeveralLoads, ThatAmountToOneHaveItsBranches) {
     ASSERT_EQ(grazings.size(), 1u);
     EXPECT_NEAR(grazings[0]->at.value, reached, 1e-12);
     EXPECT_TRUE(grazings[0]->solution.bracket->converged);
+  }
+}
+
+// Without impacts, under two harmonics: mean and root mean square of the sum of both responses.
+TEST(SeveralLoads, HaveTheAmplitudesOfTheirResponses) {
+  const Scene scene = parse_scene(
+      "[modal]\nfrequencies = [1.0]\ndamping_ratios = [0.02]\nparticipation = [1.0]\n"
+      "[[forcing]]\namplitude = 1.0\nfrequency = 1.3\n"
+      "[[forcing]]\namplitude = 4.0\norder = 2\nphase = 1.0\n"
+      "[[stop]]\nshape = [1.0]\ngap = 50.0\nrestitution = 0.8\n",
+      "several_loads.toml");
+  const SystemFamily family(scene, "forcing.frequency");
+  BranchOptions options;
+  options.from = 1.2;
+  options.to = 1.6;
+  options.impacts = 0;
+  options.response = true;
+  const OrbitBranches traced = trace_orbits(family, options);
+  ASSERT_EQ(traced.branches.size(), 1u);
+  ASSERT_GT(traced.branches[0].points.size(), 5u);
+  for (const OrbitBranchPoint& point : traced.branches[0].points) {
+    const System system = *family.at(point.value);
+    const Amplitudes at =
+        orbit_amplitudes(system, point.orbit, rows_of(measured_places(scene, system)));
+    const auto response = [](double amplitude, double w) {
+      return amplitude / std::hypot(1.0 - w * w, 2.0 * kDamping * w);
+    };
+    const double rms =
+        std::hypot(response(1.0, point.value), response(4.0, 2.0 * point.value)) / std::sqrt(2.0);
+    EXPECT_NEAR(at.rows[0].rms, rms, 1e-11 * rms) << point.value;
+    EXPECT_NEAR(at.rows[0].mean, 0.0, 1e-11 * rms) << point.value;
   }
 }
 

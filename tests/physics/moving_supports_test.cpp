@@ -111,8 +111,27 @@ TEST(MovingSupports, OfMatricesDriveByStiffnessDampingAndMass) {
   expect_response(parse_scene(in_files(folder / "") + kEndsMove, (folder / "scene.toml").string()));
 }
 
-TEST(MovingSupports, OfMatricesHaveDerivatives) {
-  const Scene scene = parse_scene(in_scene() + kEndsMove, "scene");
+// C = 0.03 M + 0.01 K, as Rayleigh's and as a matrix.
+TEST(MovingSupports, DriveByRayleighsDampingToo) {
+  const auto scene = [](const Matrix& damping, const std::string& rayleigh) {
+    return parse_scene(
+        fmt::format("[matrices]\nmass = {}\nstiffness = {}\n{}constraints = [\"1\", \"4\"]\n",
+                    rows_of(kElementMass), rows_of(kElementStiffness),
+                    damping.size() > 0 ? "damping = " + rows_of(damping) + "\n" : "") +
+            rayleigh + kEndsMove,
+        "scene");
+  };
+  const System one = assemble(scene(0.03 * kElementMass + 0.01 * kElementStiffness, ""));
+  const System other =
+      assemble(scene({}, "[damping]\nrayleigh = { mass = 0.03, stiffness = 0.01 }\n"));
+  ASSERT_EQ(one.forcing()->harmonics.size(), other.forcing()->harmonics.size());
+  for (std::size_t k = 0; k < one.forcing()->harmonics.size(); ++k) {
+    const Harmonic &a = one.forcing()->harmonics[k], &b = other.forcing()->harmonics[k];
+    EXPECT_LE((a.cosine - b.cosine).norm() + (a.sine - b.sine).norm(), 1e-13 * a.cosine.norm());
+  }
+}
+
+void expect_derivatives(const Scene& scene, const std::vector<std::string>& names) {
   const auto forces = [](const System& system) {
     std::vector<double> list;
     for (const Harmonic& harmonic : system.forcing()->harmonics)
@@ -120,9 +139,7 @@ TEST(MovingSupports, OfMatricesHaveDerivatives) {
         list.insert(list.end(), part->begin(), part->end());
     return Vector(Eigen::Map<Vector>(list.data(), static_cast<Eigen::Index>(list.size())));
   };
-  for (const char* name : {"forcing.frequency", "forcing.amplitude", "forcing.2.amplitude",
-                           "forcing.2.phase", "matrices.stiffness.1.2", "matrices.stiffness.2.2",
-                           "matrices.damping.3.4", "matrices.mass.1.2", "matrices.mass.3.3"}) {
+  for (const std::string& name : names) {
     SCOPED_TRACE(name);
     const SystemFamily family(scene, name);
     const double value = family.value(), h = 1e-4 * std::abs(value);
@@ -132,6 +149,22 @@ TEST(MovingSupports, OfMatricesHaveDerivatives) {
     EXPECT_GT(difference.norm(), 0.0);
     EXPECT_LE((tangent - difference).norm(), 1e-9 * (1.0 + difference.norm()));
   }
+}
+
+TEST(MovingSupports, OfMatricesHaveDerivatives) {
+  expect_derivatives(parse_scene(in_scene() + kEndsMove, "scene"),
+                     {"forcing.frequency", "forcing.amplitude", "forcing.2.amplitude",
+                      "forcing.2.phase", "matrices.stiffness.1.2", "matrices.stiffness.2.2",
+                      "matrices.damping.3.4", "matrices.mass.1.2", "matrices.mass.3.3"});
+  expect_derivatives(
+      parse_scene(fmt::format("[matrices]\nmass = {}\nstiffness = {}\n"
+                              "constraints = [\"1\", \"4\"]\n[damping]\nrayleigh = {{ mass = "
+                              "0.03, stiffness = 0.01 }}\n",
+                              rows_of(kElementMass), rows_of(kElementStiffness)) +
+                      kEndsMove,
+                  "scene"),
+      {"damping.rayleigh.stiffness", "damping.rayleigh.mass", "matrices.stiffness.1.2",
+       "matrices.mass.1.2"});
 }
 
 // The ground of masses and springs as a row of matrices that is held, and moves.

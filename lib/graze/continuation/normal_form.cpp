@@ -11,12 +11,15 @@
 namespace graze {
 namespace {
 
-// Distances from which a value is extrapolated, each half of the one before: rounding grows by the
-// inverse of their second or third power. Beside a grazing the smallest are needed.
-constexpr double kFarthest = 0.04;
-constexpr int kRefinements = 16;
-// Refined no further once rounding has made the change this many times the least one.
-constexpr double kGrown = 1e3;
+// Distances from which a value is extrapolated, each twice the one before. Rounding falls by their
+// second or third power; beside a grazing the smallest are needed.
+constexpr double kNearest = 0x1p-21;
+constexpr int kDoublings = 17;
+// A value that three distances agree on to this part is settled, and larger ones are left out once
+// they differ so many times more. One that none agree on to the last part is not known.
+constexpr double kSettled = 1e-4;
+constexpr double kGrown = 30.0;
+constexpr double kTold = 1e-2;
 // Residual of solutions beside the point, whose distance from it in the parameter is small.
 constexpr double kExact = 1e-14;
 constexpr Complex kI(0.0, 1.0);
@@ -50,28 +53,41 @@ std::optional<double> extrapolated(const std::function<std::optional<double>(dou
   return sum;
 }
 
-// The value over the distance at which it changes least, and that change.
+// The value where three distances in a row agree best, and by how much they differ. From small
+// distances, where rounding decides, to larger ones, up to where the differences grow again: beyond
+// a grazing or another change of the motion values may agree that are those of something else.
+struct DifferenceSum {
+  double value = 0.0, size = 0.0;  // that of what was added
+};
 struct Refined {
   double value, change;
 };
-std::optional<Refined> refined(const std::function<std::optional<double>(double)>& over) {
+std::optional<Refined> refined(const std::function<std::optional<DifferenceSum>(double)>& over) {
   std::optional<Refined> best;
-  std::optional<double> before;
-  double x = kFarthest;
-  for (int i = 0; i < kRefinements; ++i, x *= 0.5) {
-    const std::optional<double> here = over(x);
-    if (here && before) {
-      const double change = std::abs(*here - *before);
-      if (!best || change < best->change) best = Refined{*here, change};
-      if (change > kGrown * best->change) break;
+  std::optional<DifferenceSum> before, last;
+  double x = kNearest, size = 0.0;
+  for (int i = 0; i < kDoublings; ++i, x *= 2.0) {
+    const std::optional<DifferenceSum> here = over(x);
+    if (here && last && before) {
+      const double change =
+          std::max(std::abs(here->value - last->value), std::abs(last->value - before->value));
+      if (!best || change < best->change) {
+        best = Refined{last->value, change};
+        size = last->size;
+      }
+      if (best->change <= kSettled * size && change > kGrown * best->change) break;
     }
-    before = here;
+    before = last;
+    last = here;
   }
-  return best;
+  return best && best->change <= kTold * size ? best : std::nullopt;
 }
 
 std::optional<NormalForm> opening_of(const std::function<std::optional<double>(double)>& even) {
-  const auto best = refined([&](double x) { return extrapolated(even, x); });
+  const auto best = refined([&](double x) -> std::optional<DifferenceSum> {
+    const auto value = extrapolated(even, x);
+    return value ? std::optional(DifferenceSum{*value, std::abs(*value)}) : std::nullopt;
+  });
   return best ? std::optional(NormalForm{0.0, best->value, best->change}) : std::nullopt;
 }
 
@@ -136,8 +152,8 @@ class OnePeriod {
 
 // The centre manifold z q + conj + h20 z^2/2 + h11 |z|^2 + ..: each power of z in G(x, y) = 0, with
 // vectors of pairs (x, y).
-std::optional<double> coefficient_from(const ZeroProblem& doubled, const Vector& twice,
-                                       Parameters at, Complex multiplier, double distance) {
+std::optional<DifferenceSum> coefficient_from(const ZeroProblem& doubled, const Vector& twice,
+                                              Parameters at, Complex multiplier, double distance) {
   const Eigen::Index n = twice.size() / 2;
   const OnePeriod equations(doubled, twice, at);
   const std::optional<Matrix> here = equations.slope(0.0, Vector::Zero(2 * n));
@@ -162,10 +178,15 @@ std::optional<double> coefficient_from(const ZeroProblem& doubled, const Vector&
   const Complex square = multiplier * multiplier;
   const ComplexVector h11 = solve(pencil(1.0), -with_q * q.conjugate()),
                       h20 = solve(pencil(square), -with_q * q);
-  const ComplexVector sum =
-      0.5 * cubic + with_q * pair(h11, 1.0) + 0.5 * (with_q.conjugate() * pair(h20, square));
-  const double a = (std::conj(multiplier) * critical->left.cwiseProduct(sum).sum()).real();
-  return std::isfinite(a) ? std::optional(a) : std::nullopt;
+  const ComplexVector terms[] = {0.5 * cubic, with_q * pair(h11, 1.0),
+                                 0.5 * (with_q.conjugate() * pair(h20, square))};
+  DifferenceSum a;
+  for (const ComplexVector& term : terms) {
+    const Complex part = std::conj(multiplier) * critical->left.cwiseProduct(term).sum();
+    a.value += part.real();
+    a.size += std::abs(part.real());
+  }
+  return std::isfinite(a.size) ? std::optional(a) : std::nullopt;
 }
 
 std::optional<Refined> refined_coefficient(const ZeroProblem& doubled, const Vector& twice,
@@ -186,14 +207,14 @@ std::optional<double> modulus_rate(const ZeroProblem& problem, const Continuatio
     const auto critical = nearest_to(list, multiplier);
     return critical == list.end() ? std::nullopt : std::optional(std::abs(critical->value));
   };
-  const auto rate = refined([&](double distance) -> std::optional<double> {
+  const auto rate = refined([&](double distance) -> std::optional<DifferenceSum> {
     double sum = 0.0;
     for (int k = 1; k <= kDistances; ++k) {
       const auto ahead = modulus_at(k * distance), behind = modulus_at(-k * distance);
       if (!ahead || !behind) return {};
       sum += weight_of(k) / (2.0 * k * distance) * (*ahead - *behind);
     }
-    return sum;
+    return DifferenceSum{sum, std::abs(sum)};
   });
   const double moved = at.rate() * corrector.range();
   return rate && moved != 0.0 ? std::optional(rate->value / moved) : std::nullopt;
@@ -224,7 +245,6 @@ std::optional<NormalForm> fold_form(const ZeroProblem& problem, const Continuati
   return form;
 }
 
-// Doubled orbits x q away from the branch, first on one side of it and then on the other.
 std::optional<NormalForm> doubling_form(const ZeroProblem& problem,
                                         const ContinuationOptions& options,
                                         const SolutionPoint& doubling, const ZeroProblem& doubled,
@@ -235,6 +255,7 @@ std::optional<NormalForm> doubling_form(const ZeroProblem& problem,
     if (!rate || !best) return {};
     return NormalForm{-best->value / 3.0, -best->value / (3.0 * *rate), best->change};
   }
+  // From doubled orbits x q away from the branch.
   const std::optional<SolutionPoint> start = other_branch(doubled, options, twice);
   if (!rate || !start) return {};
   const ContinuationOptions beside = exact(options);
@@ -256,6 +277,7 @@ std::optional<NormalForm> doubling_form(const ZeroProblem& problem,
 std::optional<NormalForm> torus_form(const ZeroProblem& problem, const ContinuationOptions& options,
                                      const SolutionPoint& torus, Complex multiplier,
                                      const ZeroProblem& doubled, const SolutionPoint& twice) {
+  if (twice.u.size() != 2 * torus.u.size()) return {};
   multiplier /= std::abs(multiplier);
   const std::optional<double> rate = modulus_rate(problem, options, torus, multiplier);
   const auto best = refined_coefficient(doubled, twice.u, twice.parameters(), multiplier);

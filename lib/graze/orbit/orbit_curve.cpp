@@ -5,6 +5,7 @@
 
 #include "graze/base/angle.hpp"
 #include "graze/flow/held/detail/exact_phase.hpp"
+#include "graze/flow/held/detail/held_exactly.hpp"
 #include "graze/orbit/problem/detail/shooting.hpp"
 
 namespace graze {
@@ -106,13 +107,14 @@ std::vector<bool> fly_segments(const System& system, const Orbit& orbit,
 
 std::vector<bool> fly_orbit(const System& system, const Orbit& orbit,
                             const OrbitListeners& listeners) {
-  FreePhase<double> phase(system, {});
+  // Of several loads, or damping that couples modes, too.
+  const std::unique_ptr<ExactPhase<double>> phase = exact_phase(system, {});
   if (!orbit.meets_stops() && orbit.section) {
     // The free motion alone, in closed form: a stop that it touches does not change it.
     const OrbitSection& section = *orbit.section;
     const MotionState<double>& start = section.states.front();
-    phase.start(section.at.phase, start.q, start.qdot, 0.0);
-    listeners.flight(phase, section.at.phase, orbit.period * system.period());
+    phase->start(section.at.phase, start.q, start.qdot, 0.0);
+    listeners.flight(*phase, section.at.phase, orbit.period * system.period());
     return {false};
   }
   if (orbit.section) return fly_segments(system, orbit, listeners);
@@ -126,8 +128,8 @@ std::vector<bool> fly_orbit(const System& system, const Orbit& orbit,
       listeners.impact(
           {{impact.stop, impact.speed, 0.0, stop.restitution().jump(impact.speed), true}});
     const State after = after_impact(stop, points[i].before);
-    phase.start(points[i].theta, after.q, after.qdot, 0.0);
-    listeners.flight(phase, points[i].theta,
+    phase->start(points[i].theta, after.q, after.qdot, 0.0);
+    listeners.flight(*phase, points[i].theta,
                      (next - points[i].theta) / system.forcing()->frequency);
   }
   return std::vector<bool>(points.size(), true);

@@ -46,7 +46,8 @@ void check_support(const Scene& scene, const HarmonicLoad& load, const std::stri
                  fmt::format("nothing connects mass {} with the ground, it must be a mass with "
                              "a spring to 0",
                              load.at.node));
-  if (load.signal && springs[1] != 0.0)
+  const auto* rayleigh = scene.damping ? std::get_if<RayleighDamping>(&*scene.damping) : nullptr;
+  if (load.signal && (springs[1] != 0.0 || (rayleigh && rayleigh->stiffness != 0.0)))
     checker.fail("signal",
                  "the support has a dashpot, whose force would jump at each instant of the signal; "
                  "the dashpot must be left out, or the signal be one of forces");

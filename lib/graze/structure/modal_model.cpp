@@ -80,6 +80,10 @@ Vector decay_rates(const Scene& scene, const Vector& omega) {
   return Vector::Constant(omega.size(), 0.5 * eta / mass_per_length(scene, nullptr).value);
 }
 
+const RayleighDamping* rayleigh_of(const Scene& scene) {
+  return scene.damping ? std::get_if<RayleighDamping>(&*scene.damping) : nullptr;
+}
+
 Vector decay_tangent(const Scene& scene, const ModalModel& model, const Vector& omega_rate,
                      const Scene& direction) {
   const auto of_ratios = [&](const std::vector<double>& ratios, const std::vector<double>& rates) {
@@ -174,10 +178,15 @@ ModalModel given_model(const Scene& scene) {
   ModalModel model = given_numbers(scene, scene);
   model.delta = decay_rates(scene, model.omega);
   if (const ModalDamping* damping = damping_of_matrices(scene)) model.coupling = damping->coupling;
+  const RayleighDamping* rayleigh = rayleigh_of(scene);
   if (scene.has_load(ForcingKind::kSupport))
-    for (const MovedSupport& support : scene.discrete()->solved->supports)
-      model.following.emplace_back(scene.discrete()->solved->modes.shapes.transpose() *
-                                   support.forces.rightCols(2));
+    for (const MovedSupport& support : scene.discrete()->solved->supports) {
+      const Matrix forces = scene.discrete()->solved->modes.shapes.transpose() * support.forces;
+      model.following.emplace_back(forces.rightCols(2));
+      if (rayleigh)
+        model.following.back().col(0) +=
+            rayleigh->mass * forces.col(2) + rayleigh->stiffness * forces.col(0);
+    }
   if (has_own_matrices(scene)) {
     const Matrix& shapes = scene.discrete()->solved->modes.shapes;
     if (shapes.rows() == shapes.cols()) model.coordinates = shapes;
@@ -206,7 +215,16 @@ ModalModel discrete_tangent(const Scene& scene, const ModalModel& model, const S
   for (std::size_t i = 0; i < scene.loads.size(); ++i) rate.loads.push_back(of_point(next++));
   const int along = scene.matrices() ? scene.matrices()->direction : 0;
   if (scene.gravity) rate.inertia = rates.inertia.at(along);
-  for (const Matrix& support : rates.supports) rate.following.emplace_back(support.rightCols(2));
+  const RayleighDamping *rayleigh = rayleigh_of(scene), *moved = rayleigh_of(direction);
+  for (std::size_t i = 0; i < rates.supports.size(); ++i) {
+    const Matrix& forces_rate = rates.supports[i];
+    rate.following.emplace_back(forces_rate.rightCols(2));
+    if (!rayleigh) continue;
+    const Matrix forces = modes.modes.shapes.transpose() * modes.supports[i].forces;
+    rate.following.back().col(0) += rayleigh->mass * forces_rate.col(2) +
+                                    rayleigh->stiffness * forces_rate.col(0) +
+                                    moved->mass * forces.col(2) + moved->stiffness * forces.col(0);
+  }
   std::size_t support = 0;
   for (const HarmonicLoad* load : scene.harmonic_loads())
     rate.participations.push_back(
@@ -224,8 +242,14 @@ ModalModel given_tangent(const Scene& scene, const ModalModel& model, const Scen
   if (scene.matrices()) {  // No parameter moves what files give.
     rate.omega.setZero();
     for (Vector& load : rate.participations) load.setZero();
+    const RayleighDamping* moved = rayleigh_of(direction);
     for (const Matrix& force : model.following)
       rate.following.emplace_back(Matrix::Zero(force.rows(), force.cols()));
+    for (std::size_t i = 0; moved && i < rate.following.size(); ++i) {
+      const MatrixModes& modes = *scene.discrete()->solved;
+      const Matrix forces = modes.modes.shapes.transpose() * modes.supports[i].forces;
+      rate.following[i].col(0) = moved->mass * forces.col(2) + moved->stiffness * forces.col(0);
+    }
     rate.inertia.setZero();
     for (Vector& shape : rate.shapes) shape.setZero();
     for (Vector& shape : rate.loads) shape.setZero();

@@ -139,7 +139,7 @@ class EquationLocusTracer {
 
   // The values in the order of test_kinds(), followed by the caller's.
   std::optional<Vector> tests(const SolutionPoint& from, const SolutionPoint& at) {
-    std::optional<Vector> own = own_tests(from, at);
+    std::optional<Vector> own = own_tests(from, at, true);
     if (!own || !options_.tests) return own;
     const std::optional<Vector> further = options_.tests(unpack(at));
     if (!further) return own;
@@ -150,24 +150,29 @@ class EquationLocusTracer {
 
   std::optional<double> test(const SolutionPoint& from, const SolutionPoint& at, Eigen::Index k) {
     const auto own = static_cast<Eigen::Index>(test_kinds().size());
-    const std::optional<Vector> values = k < own ? own_tests(from, at) : options_.tests(unpack(at));
+    const std::optional<Vector> values =
+        k < own ? own_tests(from, at, k + 1 == own) : options_.tests(unpack(at));
     if (!values) return {};
     return (*values)[k < own ? k : k - own];
   }
 
+  // The last value, a coefficient, takes most of the work, and is computed where it is asked for.
   // The coefficient of a normal form has poles where another of the values vanishes, and is
   // multiplied by it. (At R3 only its imaginary part has one.)
-  std::optional<Vector> own_tests(const SolutionPoint& from, const SolutionPoint& at) {
-    const double fold = kind_ == LocusKind::kFold ? 0.0 : fold_test(at);
+  std::optional<Vector> own_tests(const SolutionPoint& from, const SolutionPoint& at,
+                                  bool with_coefficient) {
+    const bool is_fold = kind_ == LocusKind::kFold;
+    const double fold = is_fold ? 0.0 : fold_test(at);
+    const double factor = is_fold || !with_coefficient ? std::nan("") : coefficient(at);
     if (kind_ == LocusKind::kTorus) {
       const double third = at.u[n_ + 1] - 2.0 * kPi / 3.0, fourth = at.u[n_ + 1] - kPi / 2.0;
-      return Vector{{third, fourth, fold, coefficient(at) * fold}};
+      return Vector{{third, fourth, fold, factor * fold}};
     }
     const std::optional<std::array<double, 2>> degenerate = equations_.degeneracies(from, at);
     if (!degenerate) return {};
     const auto& [bend, pairing] = *degenerate;
-    if (kind_ == LocusKind::kFold) return Vector{{bend, pairing}};
-    return Vector{{pairing, fold, coefficient(at) * pairing * fold}};
+    if (is_fold) return Vector{{bend, pairing}};
+    return Vector{{pairing, fold, factor * pairing * fold}};
   }
 
   std::vector<LocusPointKind> test_kinds() const {

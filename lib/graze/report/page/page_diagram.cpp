@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "graze/assembly/system_family.hpp"
 #include "graze/base/parallel.hpp"
+#include "graze/bifurcation/loci/restart.hpp"
 #include "graze/bifurcation/problem/detail/special_names.hpp"
 #include "graze/record/names/motion_names.hpp"
 #include "graze/report/appearance/looks.hpp"
@@ -34,7 +36,10 @@ class DiagramOrbits {
         fit_(kMostSamples /
              static_cast<std::size_t>(page_samples(record.system, 1, source_.most_samples))),
         numbers_(record.traced.branches, rows),
-        of_(things, -1) {}
+        of_(things, -1) {
+    for (const SpecialOrbit& special : special_orbits(record.traced, record.system))
+      restartable_.insert(special.id);
+  }
 
   void add_sweep(const Sweep& swept) {
     std::vector<std::size_t> shown;
@@ -70,8 +75,10 @@ class DiagramOrbits {
         const int thing = numbers_.of(b, -1 - static_cast<int>(k));
         keep({0}, thing, [&](std::size_t) {
           const SpecialPoint& special = branch.special[k];
-          Json orbit =
-              orbit_at(special.at, fmt::format("--restart {} --label {}", folder(), special.id));
+          Json orbit = orbit_at(special.at,
+                                restartable_.count(special.id) == 0
+                                    ? ""
+                                    : fmt::format("--restart {} --label {}", folder(), special.id));
           const int kind = things.kind[static_cast<std::size_t>(thing)];
           if (orbit.is_object()) orbit["name"] = things.kinds[static_cast<std::size_t>(kind)].title;
           return orbit;
@@ -132,12 +139,12 @@ class DiagramOrbits {
 
   std::string folder() const { return shell_word(record_.info.folder); }
 
-  // `start`: the options that continue from there, where the result is in a folder.
+  // `start`: the options that continue from there, where the result is in a folder; empty: none do.
   Json orbit_at(const OrbitBranchPoint& point, const std::string& start) const {
     const std::optional<System> system = family_.at(point.value);
     if (!system) return nullptr;
     Json json = page_orbit(source_, *system, point.orbit, point.value);
-    if (!record_.info.folder.empty())
+    if (!record_.info.folder.empty() && !start.empty())
       json["command"] =
           fmt::format("{} {} --parameter {} --from {} --to {}",
                       page_command(record_.info, "continue", {}), start,
@@ -151,7 +158,8 @@ class DiagramOrbits {
   PageSource source_;
   std::size_t fit_;  // orbits of one period that have that many samples
   MotionNumbers numbers_;
-  std::vector<std::int32_t> of_;  // of each thing, an index into the orbits; -1: none
+  std::set<std::string> restartable_;  // ids of special points
+  std::vector<std::int32_t> of_;       // of each thing, an index into the orbits; -1: none
   Json orbits_ = Json::array();
 };
 
