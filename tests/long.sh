@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # What takes too long for every test run, to be run before a release and after every larger change:
 #   bash tests/long.sh
-# - the commands of README.md and docs that take long, compared with the pages (tests/docs/long.sh);
+# - the commands of README.md and docs that take long, compared with the pages (tests/docs/long.sh), and the
+#   pages as a site without a dead link (docs/site.sh);
 # - every command of tests/results/commands.txt under the address and undefined-behaviour sanitizers;
 # - the program so built against scenes, options and journals that are nearly right, FUZZ_SECONDS
 #   (default 300) long;
@@ -35,6 +36,9 @@ failed=0
 
 echo "== pages"
 bash tests/docs/long.sh > "$logs/pages.log" 2>&1 || { failed=1; tail -n 20 "$logs/pages.log"; }
+
+echo "== site"
+bash docs/site.sh > "$logs/site.log" 2>&1 || { failed=1; tail -n 20 "$logs/site.log"; }
 
 echo "== ten million periods, ten slices of loci"
 { cmake --build --preset release --target test_hard test_bifurcation &&
