@@ -35,7 +35,7 @@ void add_fields(const TextLines& lines, std::string_view line, std::vector<Field
       const std::string_view field = trimmed(line.substr(at, end - at));
       if (field.find_first_of(" \t") != std::string_view::npos)
         lines.fail(
-            fmt::format("the field \"{}\" has blanks or tabs within, fields must be parted "
+            fmt::format("the field \"{}\" has blanks or tabs within, fields must be separated "
                         "in one way: by columns of blanks, by commas or by tabs",
                         field));
       at = end + 1;
