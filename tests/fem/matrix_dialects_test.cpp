@@ -54,7 +54,7 @@ TEST_F(MatrixDialects, DmigIsPartedByTabs) {
             (Matrix(1, 1) << 4.0).finished());
   EXPECT_EQ(
       refusal("k.bdf", "DMIG    KAAX\t0\t6\t2\t0\n"),
-      "k.bdf:1: the field \"DMIG    KAAX\" has blanks or tabs within, fields must be parted in "
+      "k.bdf:1: the field \"DMIG    KAAX\" has blanks or tabs within, fields must be separated in "
       "one way: by columns of blanks, by commas or by tabs");
 }
 

@@ -125,7 +125,7 @@ TEST(Measurements, ThatAreBadAreRefusedWithTheirPlace) {
            {"time,gap1\n", "m.csv:1:1: data: ", "no row of numbers below the column names"},
            {"0,1\n1,2\n", "m.csv:1:1: data: ", "'0' is a number; the first row must name"},
            {"time gap1\n0 1\n",
-            "m.csv:1:1: data: ", "columns must be parted by commas, semicolons or tabs"},
+            "m.csv:1:1: data: ", "columns must be separated by commas, semicolons or tabs"},
            {"time;gap1\n0;1.5\n1;1,5\n",
             "m.csv:3:3: data: ", "'1,5' has a comma where other numbers have a point"},
            {"time,,gap1\n0,1,2\n", "m.csv:1:6: data: ", "a column has no name"},

@@ -133,7 +133,7 @@ void DataTable::read_names(Row row) {
       cell.text = stripped(cell.text.substr(0, open));
     }
     if (row.cells.size() == 1 && cell.text.find_first_of(" \t") != std::string::npos)
-      throw InputError(where, "data", "columns must be parted by commas, semicolons or tabs");
+      throw InputError(where, "data", "columns must be separated by commas, semicolons or tabs");
     if (find(cell.text))
       throw InputError(where, "data",
                        fmt::format("column '{}' stands there twice", shown(cell.text)));

@@ -21,7 +21,7 @@ struct TorqueFault {
 // at least two.
 std::optional<TorqueFault> torque_fault(const TorqueTable& table);
 
-// Two columns parted by a comma, time (s) and torque (N m), under a row of names or without one.
+// Two columns separated by a comma, time (s) and torque (N m), under a row of names or without one.
 // Throws FileError when the file cannot be read, InputError (file:line:column) where it is no such
 // table.
 TorqueTable read_torque_file(const std::filesystem::path& file);
