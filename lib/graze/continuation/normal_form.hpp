@@ -38,8 +38,7 @@ std::optional<NormalForm> doubling_form(const ZeroProblem& problem,
                                         const SolutionPoint& twice);
 
 // `multiplier`: the critical one, either of the pair. `doubled` and `twice`: as above, its unknowns
-// those of the first period and of the second. Returns nullopt where they are not, and
-// likewise.
+// those of the first period and of the second. Returns nullopt where they are not, and likewise.
 std::optional<NormalForm> torus_form(const ZeroProblem& problem, const ContinuationOptions& options,
                                      const SolutionPoint& torus, Complex multiplier,
                                      const ZeroProblem& doubled, const SolutionPoint& twice);

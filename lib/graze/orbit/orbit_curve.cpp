@@ -107,9 +107,10 @@ std::vector<bool> fly_segments(const System& system, const Orbit& orbit,
 
 std::vector<bool> fly_orbit(const System& system, const Orbit& orbit,
                             const OrbitListeners& listeners) {
+  if (orbit.section && orbit.meets_stops()) return fly_segments(system, orbit, listeners);
   // Of several loads, or damping that couples modes, too.
   const std::unique_ptr<ExactPhase<double>> phase = exact_phase(system, {});
-  if (!orbit.meets_stops() && orbit.section) {
+  if (orbit.section) {
     // The free motion alone, in closed form: a stop that it touches does not change it.
     const OrbitSection& section = *orbit.section;
     const MotionState<double>& start = section.states.front();
@@ -117,7 +118,6 @@ std::vector<bool> fly_orbit(const System& system, const Orbit& orbit,
     listeners.flight(*phase, section.at.phase, orbit.period * system.period());
     return {false};
   }
-  if (orbit.section) return fly_segments(system, orbit, listeners);
   const std::vector<ImpactPoint> points = orbit.points();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double next =

@@ -174,19 +174,31 @@ ModalModel given_numbers(const Scene& scene, const Scene& of) {
   return model;
 }
 
+// Modal forces of each support that moves, per unit of displacement, velocity and acceleration, N x
+// 3 each.
+std::vector<Matrix> support_forces(const Scene& scene) {
+  std::vector<Matrix> list;
+  if (!scene.has_load(ForcingKind::kSupport)) return list;
+  const MatrixModes& modes = *scene.discrete()->solved;
+  for (const MovedSupport& support : modes.supports)
+    list.emplace_back(modes.modes.shapes.transpose() * support.forces);
+  return list;
+}
+
+// What Rayleigh's damping adds to those per unit of velocity.
+Vector rayleigh_force(const Matrix& forces, const RayleighDamping* rayleigh) {
+  if (!rayleigh) return Vector::Zero(forces.rows());
+  return rayleigh->mass * forces.col(2) + rayleigh->stiffness * forces.col(0);
+}
+
 ModalModel given_model(const Scene& scene) {
   ModalModel model = given_numbers(scene, scene);
   model.delta = decay_rates(scene, model.omega);
   if (const ModalDamping* damping = damping_of_matrices(scene)) model.coupling = damping->coupling;
-  const RayleighDamping* rayleigh = rayleigh_of(scene);
-  if (scene.has_load(ForcingKind::kSupport))
-    for (const MovedSupport& support : scene.discrete()->solved->supports) {
-      const Matrix forces = scene.discrete()->solved->modes.shapes.transpose() * support.forces;
-      model.following.emplace_back(forces.rightCols(2));
-      if (rayleigh)
-        model.following.back().col(0) +=
-            rayleigh->mass * forces.col(2) + rayleigh->stiffness * forces.col(0);
-    }
+  for (const Matrix& forces : support_forces(scene)) {
+    model.following.emplace_back(forces.rightCols(2));
+    model.following.back().col(0) += rayleigh_force(forces, rayleigh_of(scene));
+  }
   if (has_own_matrices(scene)) {
     const Matrix& shapes = scene.discrete()->solved->modes.shapes;
     if (shapes.rows() == shapes.cols()) model.coordinates = shapes;
@@ -215,15 +227,11 @@ ModalModel discrete_tangent(const Scene& scene, const ModalModel& model, const S
   for (std::size_t i = 0; i < scene.loads.size(); ++i) rate.loads.push_back(of_point(next++));
   const int along = scene.matrices() ? scene.matrices()->direction : 0;
   if (scene.gravity) rate.inertia = rates.inertia.at(along);
-  const RayleighDamping *rayleigh = rayleigh_of(scene), *moved = rayleigh_of(direction);
-  for (std::size_t i = 0; i < rates.supports.size(); ++i) {
-    const Matrix& forces_rate = rates.supports[i];
-    rate.following.emplace_back(forces_rate.rightCols(2));
-    if (!rayleigh) continue;
-    const Matrix forces = modes.modes.shapes.transpose() * modes.supports[i].forces;
-    rate.following.back().col(0) += rayleigh->mass * forces_rate.col(2) +
-                                    rayleigh->stiffness * forces_rate.col(0) +
-                                    moved->mass * forces.col(2) + moved->stiffness * forces.col(0);
+  const std::vector<Matrix> forces = support_forces(scene);
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    rate.following.emplace_back(rates.supports[i].rightCols(2));
+    rate.following.back().col(0) += rayleigh_force(rates.supports[i], rayleigh_of(scene)) +
+                                    rayleigh_force(forces[i], rayleigh_of(direction));
   }
   std::size_t support = 0;
   for (const HarmonicLoad* load : scene.harmonic_loads())
@@ -242,13 +250,9 @@ ModalModel given_tangent(const Scene& scene, const ModalModel& model, const Scen
   if (scene.matrices()) {  // No parameter moves what files give.
     rate.omega.setZero();
     for (Vector& load : rate.participations) load.setZero();
-    const RayleighDamping* moved = rayleigh_of(direction);
-    for (const Matrix& force : model.following)
-      rate.following.emplace_back(Matrix::Zero(force.rows(), force.cols()));
-    for (std::size_t i = 0; moved && i < rate.following.size(); ++i) {
-      const MatrixModes& modes = *scene.discrete()->solved;
-      const Matrix forces = modes.modes.shapes.transpose() * modes.supports[i].forces;
-      rate.following[i].col(0) = moved->mass * forces.col(2) + moved->stiffness * forces.col(0);
+    for (const Matrix& forces : support_forces(scene)) {
+      rate.following.emplace_back(Matrix::Zero(forces.rows(), 2));
+      rate.following.back().col(0) = rayleigh_force(forces, rayleigh_of(direction));
     }
     rate.inertia.setZero();
     for (Vector& shape : rate.shapes) shape.setZero();

@@ -37,6 +37,7 @@ class DiagramOrbits {
              static_cast<std::size_t>(page_samples(record.system, 1, source_.most_samples))),
         numbers_(record.traced.branches, rows),
         of_(things, -1) {
+    if (record.info.folder.empty()) return;
     for (const SpecialOrbit& special : special_orbits(record.traced, record.system))
       restartable_.insert(special.id);
   }
