@@ -43,8 +43,10 @@ inline void require_forcing_and_stop(const Scene& scene) {
     throw scene_error(scene, "forcing",
                       "the loads have no common period, after which a motion could repeat; such a "
                       "motion is simulated, and a diagram of it shows runs (--duration)");
-  if (scene.stops.empty())
-    throw scene_error(scene, "stop", "there is no [[stop]]; periodic orbits here have impacts");
+  if (scene.stops.empty() && scene.frictions.empty())
+    throw scene_error(scene, "stop",
+                      "there is no [[stop]] and no [[friction]]; periodic orbits here have impacts, "
+                      "or rub");
 }
 
 inline bool has_signal(const Scene& scene) {

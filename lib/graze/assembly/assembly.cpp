@@ -1,6 +1,9 @@
 #include "graze/assembly/assembly.hpp"
 
+#include <cmath>
+#include <limits>
 #include <utility>
+#include <vector>
 
 #include "graze/assembly/detail/driven_motion.hpp"
 #include "graze/assembly/detail/hub_system.hpp"
@@ -9,6 +12,7 @@
 #include "graze/contact/detail/impulse.hpp"
 #include "graze/scene/check.hpp"
 #include "graze/scene/parameter.hpp"
+#include "graze/scene/detail/table_paths.hpp"
 
 namespace graze {
 namespace {
@@ -45,6 +49,29 @@ Stop stop_tangent(const SceneStop& stop, const SceneStop& rate, const Stop& asse
   return {row_rate, rate.gap, ImpactLaw{direction_rate, Restitution(rate.restitution)}};
 }
 
+Friction assemble_friction(const DryFriction& friction, const Vector& shape) {
+  return {shape, momentum_direction(shape), friction.sliding(), friction.sticking(),
+          friction.speed};
+}
+
+// What friction acts on must be independent: how friction that is statically indeterminate shares
+// a load is not known.
+void check_independent(const Scene& scene, const System& system) {
+  std::vector<Vector> basis;
+  for (std::size_t k = 0; k < system.frictions.size(); ++k) {
+    Vector row = system.frictions[k].row;
+    const double size = row.norm();
+    for (int pass = 0; pass < 2; ++pass)
+      for (const Vector& other : basis) row -= other.dot(row) * other;
+    if (!(row.norm() > std::sqrt(std::numeric_limits<double>::epsilon()) * size))
+      throw scene_error(scene, numbered_path("friction", k + 1),
+                        size > 0.0 ? "the friction before holds what it acts on already, it must "
+                                     "act elsewhere (of two at one place give the sum)"
+                                   : "no mode moves it, it must act elsewhere");
+    basis.push_back(row.normalized());
+  }
+}
+
 // The constant modal force, by gravity and by loads; nullopt where there is neither.
 std::optional<Vector> constant_load(const Scene& scene, const ModalModel& model) {
   std::optional<Vector> load;
@@ -76,6 +103,9 @@ System assemble(const Scene& scene, const ModalModel& model) {
   for (std::size_t i = 0; i < scene.stops.size(); ++i)
     system.stops.push_back(assemble_stop(scene, scene.stops[i], model.shapes[i], model.collocation,
                                          residual.empty() ? ResidualSpring{} : residual[i]));
+  for (std::size_t k = 0; k < scene.frictions.size(); ++k)
+    system.frictions.push_back(assemble_friction(scene.frictions[k], model.frictions[k]));
+  check_independent(scene, system);
   return system;
 }
 
@@ -106,6 +136,12 @@ System system_tangent(const Scene& scene, const Scene& direction, const ModalMod
     tangent.stops.push_back(stop_tangent(
         scene.stops[i], direction.stops[i], system.stops[i], rate.shapes[i],
         residual.empty() ? ResidualSpring{} : residual[i], model.collocation, rate.collocation));
+  for (std::size_t k = 0; k < scene.frictions.size(); ++k) {
+    const DryFriction &friction = scene.frictions[k], &moved = direction.frictions[k];
+    tangent.frictions.push_back(
+        {rate.frictions[k], momentum_direction_rate(system.frictions[k].row, rate.frictions[k]),
+         friction.sliding_rate(moved), friction.sticking_rate(moved), moved.speed});
+  }
   return tangent;
 }
 

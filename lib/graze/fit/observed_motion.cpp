@@ -56,6 +56,7 @@ class Follower {
       case WalkStep::kSeparation:
       case WalkStep::kLeft:
       case WalkStep::kTouch:
+      case WalkStep::kFriction:
         return true;
       case WalkStep::kFailure:
         return fail(walk_.failure());

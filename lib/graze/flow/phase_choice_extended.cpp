@@ -10,7 +10,7 @@ std::unique_ptr<ContactPhase<Extended>> make_contact_phase(
     double /*angle*/) {
   if (key.closed.empty()) return std::make_unique<FreePhase<Extended>>(system, key);
   return std::make_unique<ConstrainedPhase<Extended>>(
-      system, key, ConstrainedStructure<Extended>(system, key.closed));
+      system, key, ConstrainedStructure<Extended>(system, key.closed, key.places));
 }
 
 }  // namespace graze

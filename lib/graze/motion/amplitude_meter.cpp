@@ -169,6 +169,7 @@ void AmplitudeMeter::add_exact(const ContactPhase<double>& of, double time, doub
     if (!rows[i].of_velocity) extend(phase, velocity, from, to, measured_[i].speed);
   }
   for (const int i : phase.closed()) {
+    if (system_.is_friction(i)) continue;
     load(i).held += to - from;
     add_force(phase, i, phase.observables()[static_cast<std::size_t>(i)], time, from, to);
   }

@@ -84,7 +84,7 @@ Work work_at_once(const System& system, double theta, const Vector& shift) {
 Work operator+(const Work& a, const Work& b) {
   return {a.forcing + b.forcing,         a.load + b.load,       a.constraint + b.constraint,
           a.dissipation + b.dissipation, a.contact + b.contact, a.contact_lost + b.contact_lost,
-          a.stops + b.stops};
+          a.friction + b.friction,       a.stops + b.stops};
 }
 
 double closure_energy_change(const System& system, const std::vector<int>& closed, double theta,

@@ -14,13 +14,16 @@ namespace {
 constexpr double kCrowded = 0.1;
 constexpr std::size_t kMostStops = 6;  // named
 
-constexpr std::array<std::pair<EventKind, const char*>, 6> kNames{
+constexpr std::array<std::pair<EventKind, const char*>, 9> kNames{
     {{EventKind::kImpact, "impact"},
      {EventKind::kContact, "contact"},
      {EventKind::kSeparation, "separation"},
      {EventKind::kChatter, "chatter"},
      {EventKind::kStick, "stick"},
-     {EventKind::kRelease, "release"}}};
+     {EventKind::kRelease, "release"},
+     {EventKind::kSlip, "slip"},
+     {EventKind::kReversal, "reversal"},
+     {EventKind::kFrictionStick, "stick"}}};
 
 struct EventCount {
   int stop = 0;
@@ -30,7 +33,7 @@ struct EventCount {
 };
 
 std::string text_of(const EventCount& counted, Units units) {
-  std::string text = fmt::format("stop {}", counted.stop + 1);
+  std::string text = counted.stop < 0 ? "friction" : fmt::format("stop {}", counted.stop + 1);
   for (std::size_t k = 0; k < kNames.size(); ++k) {
     const long long n = counted.of_kind[k];
     if (n == 0) continue;

@@ -28,6 +28,7 @@ template <class Real>
 MotionWalk<Real>::MotionWalk(const System& system, Motion<Real>& motion, const Real& closure_speed,
                              Tails tails, std::optional<ChatterTail> tail)
     : motion_(motion),
+      stops_(static_cast<int>(system.stops.size())),
       closure_speed_(closure_speed),
       longest_flight_(longest_flight(system)),
       courses_(courses_of(system)),
@@ -111,13 +112,18 @@ std::optional<WalkStep> MotionWalk<Real>::happen() {
   switch (arrival_.kind) {
     case ArrivalKind::kTime:
     case ArrivalKind::kJoint:
+    case ArrivalKind::kStandstill:
       return {};
+    case ArrivalKind::kSlip:
+    case ArrivalKind::kReversal:
+      return WalkStep::kFriction;
     case ArrivalKind::kContact:
       qdot_before_ = motion_.qdot();
       shares_ = &motion_.impact();
       due_ = Due::kTail;
       return WalkStep::kImpact;
     case ArrivalKind::kStick:
+      if (stop_ >= stops_) return WalkStep::kFriction;
       if (is_in_tail(stop_)) return {};
       return WalkStep::kStick;
     case ArrivalKind::kRelease:
@@ -165,16 +171,19 @@ std::optional<WalkStep> MotionWalk<Real>::sum_tail() {
 template <class Real>
 std::string MotionWalk<Real>::failure() const {
   const bool at_stop = arrival_.stop >= 0;
+  const std::string place = arrival_.stop < stops_
+                                ? fmt::format("stop {}", arrival_.stop + 1)
+                                : fmt::format("friction {}", arrival_.stop - stops_ + 1);
   switch (arrival_.kind) {
     case ArrivalKind::kUndecided:
       return fmt::format("the search for the next event{} used up its evaluations",
-                         at_stop ? fmt::format(" at stop {}", arrival_.stop + 1) : "");
+                         at_stop ? " at " + place : "");
     case ArrivalKind::kNotFinite:
       return std::is_same_v<Real, double> ? "the motion left the range of double precision"
                                           : "the motion left the range of the numbers";
     default:
       return fmt::format("the motion{} cannot be followed: {}",
-                         at_stop ? fmt::format(" on stop {}", arrival_.stop + 1) : "",
+                         at_stop ? " on " + place : "",
                          motion_.refusal());
   }
 }

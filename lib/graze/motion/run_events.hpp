@@ -11,14 +11,24 @@
 
 namespace graze {
 
-// kContact and kSeparation: at a compliant stop.
-enum class EventKind { kImpact, kChatter, kStick, kRelease, kContact, kSeparation };
+// kContact and kSeparation: at a compliant stop. The last three of dry friction.
+enum class EventKind {
+  kImpact,
+  kChatter,
+  kStick,
+  kRelease,
+  kContact,
+  kSeparation,
+  kSlip,
+  kReversal,
+  kFrictionStick
+};
 
 struct Event {
   EventKind kind = EventKind::kImpact;
   double time = 0.0;           // s
   long long period_index = 0;  // whole forcing periods before it
-  int stop = 0;                // index from 0
+  int stop = 0;                // index from 0; -1 of friction
   // Impact: approach speed just before, m/s, > 0; forcing phase (frequency t + phase) mod 2 pi,
   // rad, absent without forcing; change of the kinetic energy, J.
   double speed = 0.0;
@@ -29,7 +39,8 @@ struct Event {
   // share a chatter are reported one by one; the energy stands with the one hit last (fastest).
   long long impacts = 0;
   double closure_speed = 0.0;
-  // Stick: the contact force that sets in, N.
+  // Stick: the contact force that sets in, N; of friction what it exerts along -u. Slip and reversal:
+  // `direction` is the way it slides, 1 or -1.
   double force = 0.0;
   // Contact: speed and phase as for an impact. Separation: the speed away from the stop; the
   // duration of the contact, s; its largest force, N; its coefficient of restitution, absent where
@@ -37,6 +48,8 @@ struct Event {
   double duration = 0.0;
   double peak_force = 0.0;
   std::optional<double> effective_restitution{};
+  int friction = -1;  // index from 0; -1 of stops
+  int direction = 0;  // see `force`
 };
 
 struct RunTotals {
@@ -53,6 +66,8 @@ struct RunTotals {
   // stops.
   std::optional<double> smallest_gap;
   double penetration = 0.0;  // of rigid stops, m: at most rounding
+  long long slips = 0, reversals = 0;  // of dry friction
+  double sticking_time = 0.0;          // of all dry friction at once, s
 };
 
 struct Sample {
@@ -61,6 +76,22 @@ struct Sample {
   double phase = 0.0;  // of the forcing, rad; 0 without
   std::vector<double> forces;           // contact force at every stop, N; 0 where it is open
   std::optional<EnergyBalance> energy;  // up to this instant, when the run keeps the balance
+  std::vector<double> frictions{};      // what every dry friction exerts along -u, N
+};
+
+enum class RunOutcome {
+  kReachedEnd,
+  kEventBudget,
+  kTimeBudget,
+  kNotFinite,
+  kRefused,  // the motion on a stop cannot be followed: its law makes it grow without bound
+  kInterrupted
+};
+
+// Of dry friction at the end of a run.
+struct AtFriction {
+  bool sticks = false;
+  double force = 0.0;  // that it exerts along -u, N
 };
 
 // How many samples of a rate (1/s), counted from t = 0, come before a time (s).

@@ -24,6 +24,8 @@ bool Sampler::hand_out(Motion<double>& motion, double theta, double start_time, 
     phase.state(s, sample.state.q, sample.state.qdot);
     sample.phase = system_.forcing() ? theta + system_.forcing()->frequency * s : 0.0;
     contact_forces(system_, phase, s, sample.state, sample.forces);
+    if (!system_.frictions.empty())
+      friction_forces(system_, phase, s, sample.state, sample.frictions);
     if (energy_) {
       sample.energy = balance;
       sample.energy->work = balance.work + work_along(system_, phase, s, theta);

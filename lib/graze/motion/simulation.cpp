@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "graze/base/angle.hpp"
@@ -12,7 +13,9 @@
 #include "graze/motion/detail/amplitude_meter.hpp"
 #include "graze/motion/detail/energy_changes.hpp"
 #include "graze/motion/detail/event_crowd.hpp"
+#include "graze/motion/detail/friction_tally.hpp"
 #include "graze/motion/detail/motion_walk.hpp"
+#include "graze/motion/detail/run_end.hpp"
 #include "graze/motion/detail/sampler.hpp"
 #include "graze/motion/detail/smallest_gap.hpp"
 #include "graze/system/scale.hpp"
@@ -49,12 +52,8 @@ class Run {
     result_.end_time = stopped_in_arc_.value_or(time());
     result_.final = {last.q, last.qdot};
     result_.phase = motion_.flow().phase(last.instant);
-    for (int i = 0; i < stops(); ++i) {
-      if (walk_.is_stuck(i)) result_.stuck.push_back(i);
-      // When the motion is refused at an instant, the forces are those before it.
-      const bool known = !motion_.has_pending_events() || result_.outcome == RunOutcome::kRefused;
-      result_.forces.push_back(known ? motion_.contact_force(i) : 0.0);
-    }
+    std::tie(result_.stuck, result_.forces, result_.frictions) =
+        holders(system_, motion_, walk_, result_.outcome);
     result_.totals = state_.totals;
     result_.evaluations += motion_.step_evaluations();
     if (options_.energy) {
@@ -105,6 +104,9 @@ class Run {
       case WalkStep::kTouch:
         // A touched spring is compressed or left next: no impact is missed.
         if (!stop(walk_.stop()).is_compliant()) ++state_.totals.undecided_touches;
+        return true;
+      case WalkStep::kFriction:
+        if (state_.started) emit(friction_event(walk_.arrival(), system_, motion_, state_.totals));
         return true;
       case WalkStep::kFailure:
         return fail();
@@ -189,8 +191,9 @@ class Run {
     const double deepest = graze::follow(state_.contacts, motion_.flown(), flight);
     if (deepest > 0.0) note_gap(-deepest, state_.totals);
     const std::vector<int>& closed = motion_.flown().closed();
-    if (std::any_of(closed.begin(), closed.end(), [&](int i) { return !walk_.is_in_tail(i); }))
-      state_.totals.stuck_time += flight;
+    const auto is_shut = [&](int i) { return !system_.is_friction(i) && !walk_.is_in_tail(i); };
+    if (std::any_of(closed.begin(), closed.end(), is_shut)) state_.totals.stuck_time += flight;
+    count_sticking(motion_.flown(), flight, state_.totals);
     return true;
   }
 
@@ -221,9 +224,7 @@ class Run {
     const ArrivalKind kind = walk_.arrival().kind;
     if (kind == ArrivalKind::kUndecided && !within_budget(true)) return false;
     if (kind == ArrivalKind::kRefused) note_gaps();
-    return stop_run(kind == ArrivalKind::kUndecided   ? RunOutcome::kEventBudget
-                    : kind == ArrivalKind::kNotFinite ? RunOutcome::kNotFinite
-                                                      : RunOutcome::kRefused,
+    return stop_run(outcome_of(kind),
                     fmt::format("at {} {}", moment_text(time(), system_.units), walk_.failure()));
   }
 
@@ -297,7 +298,6 @@ class Run {
     emit(event);
   }
 
-  // Counts the energy from surface to surface.
   void enter_contacts(int i) {
     if (!stop(i).is_compliant()) return;
     enter_energy(contact_at(i).change_before, false);

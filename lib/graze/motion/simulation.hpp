@@ -39,15 +39,6 @@ double default_closure_speed(const System& system, const State& start,
 // law the motion there can grow without bound, and a simulation that comes to rest there ends.
 std::vector<std::string> unstable_stops(const System& system);
 
-enum class RunOutcome {
-  kReachedEnd,
-  kEventBudget,
-  kTimeBudget,
-  kNotFinite,
-  kRefused,  // the motion on a stop cannot be followed: its law makes it grow without bound
-  kInterrupted
-};
-
 // Everything needed to continue a run as if it had never ended: the start of its last arc.
 struct RunState {
   MotionState<double> motion;
@@ -81,6 +72,7 @@ struct Simulation {
   double phase = 0.0;  // of the forcing at the end, rad; 0 without
   std::vector<int> stuck;      // closed stops at the end (index from 0)
   std::vector<double> forces;  // contact forces at the end, N, one per stop
+  std::vector<AtFriction> frictions;  // at the end
   RunTotals totals;
   std::optional<EnergyBalance> energy;
   std::optional<Amplitudes> amplitudes;  // where they were asked for

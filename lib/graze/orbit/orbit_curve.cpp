@@ -107,7 +107,8 @@ std::vector<bool> fly_segments(const System& system, const Orbit& orbit,
 
 std::vector<bool> fly_orbit(const System& system, const Orbit& orbit,
                             const OrbitListeners& listeners) {
-  if (orbit.section && orbit.meets_stops()) return fly_segments(system, orbit, listeners);
+  if (orbit.section && (orbit.meets_stops() || !system.frictions.empty()))
+    return fly_segments(system, orbit, listeners);
   // Of several loads, or damping that couples modes, too.
   const std::unique_ptr<ExactPhase<double>> phase = exact_phase(system, {});
   if (orbit.section) {

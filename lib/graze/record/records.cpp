@@ -85,6 +85,7 @@ EnergyEntries energy_entries(const System& system, const EnergyBalance& balance)
   }
   if (system.carried()) entries.stops = balance.work.stops;
   if (system.has_compliant_stop()) entries.contact = balance.work.contact;
+  if (!system.frictions.empty()) entries.friction = balance.work.friction;
   const bool damped = (decay_rates(system).array() != 0.0).any();
   if (damped || (hub && hub->friction)) entries.dissipation = balance.work.dissipation;
   return entries;

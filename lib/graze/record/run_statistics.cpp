@@ -39,6 +39,7 @@ StatisticsCollector::StatisticsCollector(const std::vector<MeasuredPlace>& place
 }
 
 void StatisticsCollector::add(const Event& event) {
+  if (event.stop < 0) return;
   Met& met = stops_[static_cast<std::size_t>(event.stop)];
   // What a stop held when the run began, no event tells the beginning of.
   if (event.kind == EventKind::kStick) met.held_since = event.time;

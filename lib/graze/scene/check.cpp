@@ -294,6 +294,7 @@ void check_scene(const Scene& scene) {
   check_forcing(scene);
   check_gravity(scene);
   check_loads(scene);
+  check_frictions(scene);
   check_start(scene);
   check_stops(scene);
   check_probes(scene);

@@ -21,7 +21,43 @@ void check_load_point(const Scene& scene, const StructurePoint& point, const std
                                   point.position, scene.structure_name(), span->length));
 }
 
+// Of the springs that phases in closed form know.
+bool is_linear(const Spring& spring) {
+  return !spring.geometry && (spring.exponent == 1.0 || spring.is_residual) &&
+         (!spring.damping || spring.damping->model == ContactModel::kKelvinVoigt);
+}
+
 }  // namespace
+
+void check_frictions(const Scene& scene) {
+  if (scene.frictions.empty()) return;
+  if (scene.hub)
+    throw scene_error(scene, "friction",
+                      "a structure on a hub has friction at its joint alone, hub.friction; "
+                      "[[friction]] must be left out");
+  if (scene.solver.flow != FlowChoice::kAuto && scene.solver.flow != FlowChoice::kExact)
+    throw scene_error(scene, "solver.flow",
+                      "with dry friction a motion is followed exactly, it must be \"auto\" or "
+                      "\"exact\"");
+  for (std::size_t k = 0; k < scene.stops.size(); ++k)
+    if (const std::optional<Spring>& spring = scene.stops[k].spring; spring && !is_linear(*spring))
+      throw scene_error(scene, numbered_path("stop", k + 1) + ".spring",
+                        "with dry friction a motion is followed exactly, and springs must be "
+                        "linear, with \"kelvin-voigt\" damping or none");
+  for (std::size_t k = 0; k < scene.frictions.size(); ++k) {
+    const DryFriction& friction = scene.frictions[k];
+    const std::string table = numbered_path("friction", k + 1);
+    check_load_point(scene, friction, table);
+    const ValueChecker checker(scene, table);
+    if (!friction.force && !friction.coefficient)
+      checker.fail("force", "the key is missing, it must be given, or coefficient and normal_force");
+    if (friction.sticking() < friction.sliding())
+      checker.fail(friction.static_force ? "static_force" : "static_coefficient",
+                   fmt::format("it gives {} at rest and {} in sliding, it must be at least as much "
+                               "at rest",
+                               friction.sticking(), friction.sliding()));
+  }
+}
 
 void check_loads(const Scene& scene) {
   if (scene.loads.empty()) return;

@@ -175,6 +175,8 @@ Matrix acting_points(const Scene& scene, const PointRows& rows, const MatrixMode
     list.push_back(rows.row(numbered_path("stop", i + 1), scene.stops[i]));
   for (std::size_t i = 0; i < scene.loads.size(); ++i)
     list.push_back(rows.row(numbered_path("load", i + 1), scene.loads[i]));
+  for (std::size_t i = 0; i < scene.frictions.size(); ++i)
+    list.push_back(rows.row(numbered_path("friction", i + 1), scene.frictions[i]));
   std::size_t number = 0, support = 0;
   for (const HarmonicLoad* load : scene.harmonic_loads())
     if (++number; load->has_place())
@@ -293,6 +295,7 @@ void give_modes(Scene& scene, const PointRows& rows, const MatrixModes& found) {
   const auto next_shape = [&] { return as_list(shapes.transpose() * found.points.col(column++)); };
   for (SceneStop& stop : scene.stops) stop.shape = next_shape();
   for (PointLoad& load : scene.loads) load.shape = next_shape();
+  for (DryFriction& friction : scene.frictions) friction.shape = next_shape();
   if (scene.forcing && scene.forcing->has_place()) scene.forcing->at.shape = next_shape();
   for (HarmonicLoad& load : scene.further)
     if (load.has_place()) load.at.shape = next_shape();

@@ -309,8 +309,15 @@ void probe_loads(Scene& scene) {
     if (load->has_place() && !(load->kind == ForcingKind::kSupport && scene.matrices()))
       forced.push_back(load->at);
   loaded.insert(loaded.begin(), forced.begin(), forced.end());
-  for (const StructurePoint& at : loaded)
-    scene.probes.push_back({at.position, at.shape, at.node, at.against});
+  loaded.insert(loaded.end(), scene.frictions.begin(), scene.frictions.end());
+  for (const StructurePoint& at : loaded) {
+    const auto is_there = [&](const Probe& probe) {
+      return probe.position == at.position && probe.shape == at.shape && probe.node == at.node &&
+             probe.against == at.against;
+    };
+    if (scene.frictions.empty() || std::none_of(scene.probes.begin(), scene.probes.end(), is_there))
+      scene.probes.push_back({at.position, at.shape, at.node, at.against});
+  }
 }
 
 }  // namespace

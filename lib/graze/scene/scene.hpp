@@ -154,6 +154,32 @@ struct PointLoad : StructurePoint {
   double force = 0.0;  // N
 };
 
+// Dry friction by Coulomb's law against the motion of a point along u: its force, or a coefficient
+// and the normal force that presses there.
+struct DryFriction : StructurePoint {
+  std::optional<double> force, coefficient, normal_force;  // N, 1, N
+  std::optional<double> static_force, static_coefficient;  // up to which it sticks; as sliding
+  double speed = 0.0;                                        // m/s along +u, of a belt
+
+  double sliding() const { return force ? *force : *coefficient * *normal_force; }  // N
+  double sticking() const {
+    return static_force         ? *static_force
+           : static_coefficient ? *static_coefficient * *normal_force
+                                : sliding();
+  }
+  // Their derivatives as the numbers change by `rate`.
+  double sliding_rate(const DryFriction& rate) const {
+    return force ? *rate.force
+                 : *rate.coefficient * *normal_force + *coefficient * *rate.normal_force;
+  }
+  double sticking_rate(const DryFriction& rate) const {
+    return static_force ? *rate.static_force
+           : static_coefficient
+               ? *rate.static_coefficient * *normal_force + *static_coefficient * *rate.normal_force
+               : sliding_rate(rate);
+  }
+};
+
 // Uniform acceleration along +u of every mass element; a constant load of the modes. With a hub it
 // acts along -u at angle 0, and keeps that direction in space while the beam rotates.
 struct Gravity {
@@ -286,6 +312,7 @@ struct Scene {
   std::optional<Gravity> gravity;
   std::vector<PointLoad> loads{};
   std::vector<SceneStop> stops;
+  std::vector<DryFriction> frictions{};
   std::vector<Probe> probes{};
   std::optional<Initial> initial;
   Solver solver;

@@ -10,7 +10,7 @@ namespace {
 constexpr const char* kLists[] = {
     "stop",        "probe",         "beam.piece",       "beam.support",   "beam.mass",
     "string.mass", "bar.piece",     "bar.support",      "string.support", "bar.mass",
-    "load",        "lumped.spring", "lumped.gyroscopic"};
+    "load",        "lumped.spring", "lumped.gyroscopic", "friction"};
 
 // A table, or the first of several.
 constexpr const char* kMayBeLists[] = {"forcing", "stop.motion"};

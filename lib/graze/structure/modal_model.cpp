@@ -171,6 +171,7 @@ ModalModel given_numbers(const Scene& scene, const Scene& of) {
   if (scene.gravity) model.inertia = as_vector(modal.inertia);
   for (const SceneStop& stop : of.stops) model.shapes.emplace_back(as_vector(stop.shape));
   for (const PointLoad& load : of.loads) model.loads.emplace_back(as_vector(load.shape));
+  for (const DryFriction& at : of.frictions) model.frictions.emplace_back(as_vector(at.shape));
   return model;
 }
 
@@ -225,6 +226,8 @@ ModalModel discrete_tangent(const Scene& scene, const ModalModel& model, const S
   Eigen::Index next = 0;
   for (std::size_t i = 0; i < scene.stops.size(); ++i) rate.shapes.push_back(of_point(next++));
   for (std::size_t i = 0; i < scene.loads.size(); ++i) rate.loads.push_back(of_point(next++));
+  for (std::size_t i = 0; i < scene.frictions.size(); ++i)
+    rate.frictions.push_back(of_point(next++));
   const int along = scene.matrices() ? scene.matrices()->direction : 0;
   if (scene.gravity) rate.inertia = rates.inertia.at(along);
   const std::vector<Matrix> forces = support_forces(scene);
@@ -257,6 +260,7 @@ ModalModel given_tangent(const Scene& scene, const ModalModel& model, const Scen
     rate.inertia.setZero();
     for (Vector& shape : rate.shapes) shape.setZero();
     for (Vector& shape : rate.loads) shape.setZero();
+    for (Vector& shape : rate.frictions) shape.setZero();
   }
   rate.delta = decay_tangent(scene, model, rate.omega, direction);
   if (model.coupling.size() > 0)
@@ -297,6 +301,8 @@ ModalModel modal_model(const Scene& scene) {
   if (scene.gravity) model.inertia = span_inertia(scene, modes, model.collocation);
   for (const SceneStop& stop : scene.stops) model.shapes.push_back(shapes_of(modes, stop.position));
   for (const PointLoad& load : scene.loads) model.loads.push_back(shapes_of(modes, load.position));
+  for (const DryFriction& at : scene.frictions)
+    model.frictions.push_back(shapes_of(modes, at.position));
   if (const auto* found = std::get_if<ElementModes>(&modes)) model.elements = found->accuracy();
   return model;
 }
@@ -319,6 +325,8 @@ ModalModel modal_tangent(const Scene& scene, const ModalModel& model, const Scen
     rate.shapes.push_back(shape_rates_at(modes, scene.stops[i], direction.stops[i]));
   for (std::size_t i = 0; i < scene.loads.size(); ++i)
     rate.loads.push_back(shape_rates_at(modes, scene.loads[i], direction.loads[i]));
+  for (std::size_t i = 0; i < scene.frictions.size(); ++i)
+    rate.frictions.push_back(shape_rates_at(modes, scene.frictions[i], direction.frictions[i]));
   return rate;
 }
 

@@ -3,6 +3,7 @@
 //   q'' + D q' + omega^2 q = f(frequency t + phase) + load                      in free flight
 //   gap_i - row_i.q >= 0,   q'+ = q'- - (1 + r_i) direction_i (row_i.q'-)       at stop i,
 //   or, at a compliant one,  q'' = .. - row_i F_i(x_i, x_i'),  x_i = row_i.q - gap_i > 0
+//   q'' = .. - row_k R_k,  |R_k| <= limit                                       by dry friction k
 //
 // with D = diag(2 delta), where the damping couples no modes. Every harmonic effect is folded into
 // these numbers; effects that are absent are not stored. The numbers may come from a scene
@@ -91,6 +92,15 @@ struct Stop {
   ContactForce& force() { return std::get<ContactForce>(law); }
 };
 
+// Dry friction by Coulomb's law: R = sliding sign(v), v = row.q' - speed, and |R| <= sticking while
+// v = 0.
+struct Friction {
+  Vector row;                            // kg^-1/2, N
+  Vector direction;                      // d = row/(row.row), kg^1/2, N
+  double sliding = 0.0, sticking = 0.0;  // N
+  double speed = 0.0;                    // m/s, of a belt that it acts from
+};
+
 struct State {
   Vector q;     // kg^1/2 m, N
   Vector qdot;  // kg^1/2 m/s, N
@@ -118,8 +128,22 @@ struct System {
   std::variant<NaturalModes, Rotation> structure;
   std::vector<Stop> stops;
   Units units = Units::kSi;  // of its numbers, for messages
+  std::vector<Friction> frictions{};
 
   int modes() const { return static_cast<int>(omega.size()); }
+  // Stops and frictions are counted together: friction k has the index stops.size() + k.
+  bool is_friction(int index) const { return index >= static_cast<int>(stops.size()); }
+  const Friction& friction(int index) const {
+    return frictions[static_cast<std::size_t>(index) - stops.size()];
+  }
+  const Vector& row(int index) const {
+    return is_friction(index) ? friction(index).row : stops[static_cast<std::size_t>(index)].row;
+  }
+  // Along which what holds the structure there pushes it.
+  const Vector& direction(int index) const {
+    return is_friction(index) ? friction(index).direction
+                              : stops[static_cast<std::size_t>(index)].direction();
+  }
   bool has_compliant_stop() const {
     return std::any_of(stops.begin(), stops.end(),
                        [](const Stop& stop) { return stop.is_compliant(); });
@@ -169,7 +193,9 @@ struct System {
   bool has_closed_forms() const { return !coupling() && !harmonics(); }
   // Whether all stops are rigid as well, so that orbits are equations for their impacts alone. The
   // others are followed.
-  bool has_modal_flights() const { return !has_compliant_stop() && has_closed_forms(); }
+  bool has_modal_flights() const {
+    return !has_compliant_stop() && has_closed_forms() && frictions.empty();
+  }
   const Vector* load() const { return !turns() && modal().load ? &*modal().load : nullptr; }
   bool repeats() const { return forcing() && forcing()->repeats; }
   // T = 2 pi/frequency, s; infinite where no loads repeat.

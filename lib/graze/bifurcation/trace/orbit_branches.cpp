@@ -42,6 +42,7 @@ class OrbitTracer {
     result_.has_normal_forms = options.normal_forms;
     const System own = *family.at(family.value());
     followed_ = !own.has_modal_flights();
+    rubs_ = !own.frictions.empty();
     const State at_rest{Vector::Zero(own.modes()), Vector::Zero(own.modes())};
     closure_speed_ = options.finder.closure_speed.value_or(default_closure_speed(
         own, clear_start(family.scene(), own).value_or(at_rest), family.scene().solver.tolerance));
@@ -52,7 +53,7 @@ class OrbitTracer {
       branches_.trace_from_special(*options_.start);
     } else {
       trace_from_settled();
-      if (options_.impacts > 0) trace_from_search();
+      for (const int impacts : wanted_impacts()) trace_from_search(impacts);
     }
     if (options_.response && !options_.start && options_.period == 1) trace_response();
     branches_.follow();
@@ -79,18 +80,27 @@ class OrbitTracer {
   // Where closed forms are only starts for a search, their results come first, which cost next to
   // nothing, then simulations, which may never settle: if these are stopped, the branches of the
   // former are kept.
-  void trace_from_search() {
+  void trace_from_search(int impacts) {
     FinderOptions all = options_.finder, quick = all, slow = all;
     quick.from_simulation = quick.from_random = false;
     slow.from_closed_form = false;
     const std::vector<FinderOptions> rounds =
         followed_ ? std::vector{quick, slow} : std::vector{all};
     for (std::size_t i = 0; i < rounds.size(); ++i)
-      trace_from_values(rounds[i], static_cast<double>(i), static_cast<double>(rounds.size()));
+      trace_from_values(rounds[i], impacts, static_cast<double>(i),
+                        static_cast<double>(rounds.size()));
     if (options_.start_values > 0 && options_.finder.from_closed_form && options_.impacts == 1 &&
         !followed_)
       trace_from_surveys();
     result_.sought.stopped = options_.stop.requested();
+  }
+
+  // With friction orbits that meet no stop are found and followed like others.
+  std::vector<int> wanted_impacts() const {
+    std::vector<int> list;
+    if (rubs_ && (options_.impacts == 0 || options_.response)) list.push_back(0);
+    if (options_.impacts > 0) list.push_back(options_.impacts);
+    return list;
   }
 
   // One trace reaches all of it unless undamped resonances, or values that are not allowed,
@@ -109,7 +119,7 @@ class OrbitTracer {
   }
 
   // Traces from the scene's own value, and values spread over the range; in one of several rounds.
-  void trace_from_values(const FinderOptions& finder, double round, double rounds) {
+  void trace_from_values(const FinderOptions& finder, int impacts, double round, double rounds) {
     const std::vector<double> values = start_values();
     result_.sought.start_values = static_cast<int>(values.size());
     if (options_.start_values > 1)
@@ -128,7 +138,7 @@ class OrbitTracer {
           FinderOptions one = finder;
           if (some > 1) one.threads = 1;
           if (!options_.stop.requested())
-            found[i + k] = orbits_at(values[i + k], std::move(one), i + k == 0);
+            found[i + k] = orbits_at(values[i + k], impacts, std::move(one), i + k == 0);
         });
       }
       for (const Orbit& orbit : taken(std::move(found[i])))
@@ -195,12 +205,13 @@ class OrbitTracer {
 
   // Orbits at one value; random guesses, and on rigid stops the simulation for orbits of one
   // impact, are used at the first value only.
-  std::optional<FoundOrbits> orbits_at(double value, FinderOptions finder, bool first) const {
+  std::optional<FoundOrbits> orbits_at(double value, int impacts, FinderOptions finder,
+                                       bool first) const {
     const std::optional<Scene> scene = family_.scene_at(value);
     const std::optional<System> system = scene ? family_.system_of(*scene) : std::nullopt;
     if (!system) return {};
     finder.period = options_.period;
-    finder.impacts = options_.impacts;
+    finder.impacts = impacts;
     // With one impact, and with more than two, solutions are counted where they lie; with two all
     // orbits are found even if virtual solutions are not kept.
     finder.keep_virtual = !followed_ && (options_.keep_virtual || options_.impacts != 2);
@@ -300,6 +311,7 @@ class OrbitTracer {
   const BranchOptions& options_;
   double lowest_, highest_;
   bool followed_ = false;       // orbits are, and not solved by their impacts
+  bool rubs_ = false;           // there are orbits without impacts to be found
   double closure_speed_ = 0.0;  // m/s; as asked for, or by the scene's tolerance
   OrbitBranches result_;
   BranchCollector branches_;

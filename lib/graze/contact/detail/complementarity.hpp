@@ -34,6 +34,13 @@ RealVector<Real> rounding_of_action(const RealMatrix<Real>& delassus, const Real
          p.cwiseAbs();
 }
 
+// What a contact does to itself; limits of friction (solve_with_friction) have no action of their
+// own, and count as they are.
+template <class Real>
+Real own_action(const RealMatrix<Real>& delassus, const RealVector<Real>& p, Eigen::Index i) {
+  return delassus(i, i) > 0 ? Real(p[i] * delassus(i, i)) : p[i];
+}
+
 // The result of letting a set of contacts act, bit i of `set` for contact i.
 template <class Real>
 struct ContactTrial {
@@ -62,7 +69,7 @@ ContactTrial<Real> try_contacts(const RealMatrix<Real>& delassus, const RealVect
   const RealVector<Real> own = rounding_of_action(delassus, p);
   for (int i = 0; i < n && trial.violated < 0; ++i) {
     const bool fits =
-        (set >> i & 1) != 0 ? p[i] * delassus(i, i) >= -rounding[i] : w[i] <= rounding[i] + own[i];
+        (set >> i & 1) != 0 ? own_action(delassus, p, i) >= -rounding[i] : w[i] <= rounding[i] + own[i];
     if (!fits) trial.violated = i;
   }
   return trial;
@@ -93,7 +100,7 @@ std::optional<RealVector<Real>> solve_many_contacts(const RealMatrix<Real>& dela
   for (Eigen::Index i = 0; i < n; ++i) {
     const Real allowed = rounding[i] + own[i];
     const bool holds = acts[static_cast<std::size_t>(i)]
-                           ? p[i] * delassus(i, i) >= -allowed && w[i] >= -allowed
+                           ? own_action(delassus, p, i) >= -allowed && w[i] >= -allowed
                            : true;
     if (!holds || !(w[i] <= allowed)) return {};
   }
@@ -121,6 +128,32 @@ std::optional<RealVector<Real>> solve_contacts(const RealMatrix<Real>& delassus,
     if (trial.solvable && trial.violated < 0) return trial.p.cwiseMax(Real(0));
   }
   return {};
+}
+
+// The same where the last limit.size() contacts are dry friction at rest, |p_i| <= limit_i:
+//
+//   w_i = 0 inside, w_i >= 0 at p_i = limit_i, w_i <= 0 at p_i = -limit_i,
+//
+// as contacts of twice the number, with p_i + limit_i and the positive part of w_i.
+template <class Real>
+std::optional<RealVector<Real>> solve_with_friction(const RealMatrix<Real>& delassus,
+                                                    const RealVector<Real>& v,
+                                                    const RealVector<Real>& rounding,
+                                                    const RealVector<Real>& limit) {
+  const Eigen::Index n = v.size(), s = limit.size();
+  if (s == 0) return solve_contacts(delassus, v, rounding);
+  RealMatrix<Real> acting = RealMatrix<Real>::Zero(n + s, n + s);
+  acting.topLeftCorner(n, n) = delassus;
+  acting.block(n - s, n, s, s).setIdentity();
+  acting.block(n, n - s, s, s) = -RealMatrix<Real>::Identity(s, s);
+  RealVector<Real> offset = RealVector<Real>::Zero(n), pushes(n + s), errors(n + s);
+  offset.tail(s) = -limit;
+  pushes << v - delassus * offset, -2 * limit;
+  errors << rounding + rounding_of_action<Real>(delassus, offset),
+      rounding.tail(s) + rounding_of_action<Real>(delassus, offset).tail(s);
+  const std::optional<RealVector<Real>> solved = solve_contacts<Real>(acting, pushes, errors);
+  if (!solved) return {};
+  return RealVector<Real>(solved->head(n) + offset);
 }
 
 }  // namespace graze

@@ -17,4 +17,9 @@ std::unique_ptr<ContactPhase<Real>> make_contact_phase(const System& system, con
                                                        const std::optional<StepSetting>& steps = {},
                                                        double angle = 0.0);
 
+// The system with the load of what slides; nothing else of its friction acts.
+System under_friction(const System& system, const PhaseKey& key);
+// Its derivative along the system's tangent.
+System under_friction_rate(const System& system, const System& tangent, const PhaseKey& key);
+
 }  // namespace graze

@@ -20,7 +20,11 @@ enum class Contact {
   kLocked,      // on the stop because other, closed stops keep it there; on a compliant one
                 // because nothing moves it
   kCompressed,  // beyond the surface of a compliant stop, against its force
-  kParted       // beyond it, but its force is gone
+  kParted,      // beyond it, but its force is gone
+  // Of dry friction, which sticks where it is closed or, kept at rest by others, locked; touching:
+  // at rest and undecided.
+  kForward,  // slides at v > 0
+  kBackward  // at v < 0
 };
 
 // These stand for the multiplicity of a zero that no derivative shows, because springs press as
@@ -33,19 +37,25 @@ inline constexpr int kLeftUntold = 5;
 // The contact force of a structure that nothing moves: it stays zero.
 inline constexpr int kHeldIdle = 3;
 
+// Of dry friction that is touching: how it slid before.
+inline constexpr int kCameForward = 1;
+inline constexpr int kCameBackward = 2;
+
 // What a motion needs to go on from an instant as if it had never stopped there.
 template <class Real>
 struct MotionState {
   Instant<Real> instant;
   RealVector<Real> q, qdot;
-  std::vector<Contact> contacts;  // one per stop
+  std::vector<Contact> contacts;  // one per stop and friction
   // Multiplicity of the zero at the instant, one per stop: of the gap, or beyond a surface of the
-  // force's grip; for the contact force of a closed stop 0, or one of the constants above.
+  // force's grip; for the contact force of a closed stop 0, or one of the constants above. Of dry
+  // friction that slides, of the zero of its speed.
   std::vector<int> multiplicities;
   // The remaining speed of a shared chatter that could not be summed, m/s; 0: there was none. The
   // sum is tried again at half of it.
   Real unsummed = 0;
   Joint joint = Joint::kFree;  // of a hub with friction
+  std::vector<double> places{};  // row.q of each dry friction where it began to stick, m
 };
 
 }  // namespace graze

@@ -75,6 +75,25 @@ void add_harmonics(ConstrainedStructure<double>& held, const Matrix& inverse,
   }
 }
 
+// Widens the structure by the coordinate |e| s of what belts drag along.
+void add_drift(ConstrainedStructure<double>& held, const Matrix& left, CoupledSystem& coupled) {
+  if (held.drift.size() == 0) return;
+  const Eigen::Index n = held.rows.rows(), m = held.size(), all = m + 1;
+  const Vector along = held.drift.normalized();
+  const Vector slowed = 2.0 * held.whole.delta.cwiseProduct(along);
+  coupled.stiffness = padded(coupled.stiffness, all, all);
+  coupled.damping = padded(coupled.damping, all, all);
+  coupled.load = padded(coupled.load, all, 1);
+  coupled.force = padded(coupled.force, all, 1);
+  coupled.stiffness.col(m).head(m) = left * held.whole.omega.cwiseAbs2().cwiseProduct(along);
+  coupled.damping.col(m).head(m) =
+      left * (held.whole.coupling.size() > 0 ? Vector(slowed + held.whole.coupling * along) : slowed);
+  held.basis = padded(held.basis, n, all);
+  held.basis.col(m) = along;
+  held.reduced.omega = padded(held.reduced.omega, all, 1);
+  if (held.left.size() > 0) held.left = padded(held.left, all, n);
+}
+
 }  // namespace
 
 CoupledSystem couple(ConstrainedStructure<double>& held) {
@@ -111,7 +130,8 @@ CoupledSystem couple(ConstrainedStructure<double>& held) {
     }
   }
   coupled.force = held.whole.forced ? Vector(left * held.whole.amplitude) : Vector(Vector::Zero(m));
-  add_harmonics(held, left, coupled);
+  add_drift(held, left, coupled);
+  add_harmonics(held, padded(left, held.size(), n), coupled);
   scale_rates(held, coupled);
   return coupled;
 }

@@ -7,15 +7,14 @@ namespace graze {
 Matrix rows_of(const System& system, const std::vector<int>& stops) {
   Matrix rows(system.modes(), static_cast<Eigen::Index>(stops.size()));
   for (std::size_t a = 0; a < stops.size(); ++a)
-    rows.col(static_cast<Eigen::Index>(a)) = system.stops[static_cast<std::size_t>(stops[a])].row;
+    rows.col(static_cast<Eigen::Index>(a)) = system.row(stops[a]);
   return rows;
 }
 
 Matrix directions_of(const System& system, const std::vector<int>& stops) {
   Matrix directions(system.modes(), static_cast<Eigen::Index>(stops.size()));
   for (std::size_t a = 0; a < stops.size(); ++a)
-    directions.col(static_cast<Eigen::Index>(a)) =
-        system.stops[static_cast<std::size_t>(stops[a])].direction();
+    directions.col(static_cast<Eigen::Index>(a)) = system.direction(stops[a]);
   return directions;
 }
 

@@ -8,10 +8,11 @@ CoupledPhase::CoupledPhase(const System& system, PhaseKey key,
                            ConstrainedStructure<double> structure, const CoupledSystem& equations)
     : ExactPhase(system, std::move(key), std::move(structure)), flow_(equations), arc_(flow_) {}
 
-CoupledPhase::CoupledPhase(PhaseKey key, ConstrainedStructure<double> structure,
+CoupledPhase::CoupledPhase(const System& system, PhaseKey key,
+                           ConstrainedStructure<double> structure,
                            std::vector<Observable<double>> observables,
                            const CoupledSystem& equations)
-    : ExactPhase(std::move(key), std::move(structure), std::move(observables)),
+    : ExactPhase(system, std::move(key), std::move(structure), std::move(observables)),
       flow_(equations),
       arc_(flow_) {}
 
@@ -38,7 +39,7 @@ bool CoupledPhase::set_curve(ArcCurve<double>& curve, const Observable<double>& 
 std::unique_ptr<ExactPhase<double>> exact_phase(const System& system, const PhaseKey& key) {
   if (key.closed.empty() && system.has_closed_forms())
     return std::make_unique<FreePhase<double>>(system, key);
-  ConstrainedStructure<double> structure(system, key.closed);
+  ConstrainedStructure<double> structure(system, key.closed, key.places);
   if (structure.has_real_modes)
     return std::make_unique<ConstrainedPhase<double>>(system, key, std::move(structure));
   const CoupledSystem equations = couple(structure);

@@ -46,7 +46,9 @@ double factor_of(int k, double unit) {
 }  // namespace
 
 bool suits_series(const System& system, const std::vector<int>& closed) {
-  if (closed.empty() || system.modes() <= kFewModes || !system.has_closed_forms()) return false;
+  if (closed.empty() || system.modes() <= kFewModes || !system.has_closed_forms() ||
+      !system.frictions.empty())
+    return false;
   for (const int i : closed)
     if (!is_along_row(system.stops[static_cast<std::size_t>(i)])) return false;
   return system.modes() > kMostDecomposed || !proportional_damping(system);

@@ -90,7 +90,7 @@ LinearSpringPhase::LinearSpringPhase(const System& system, const PhaseKey& key)
 
 LinearSpringPhase::LinearSpringPhase(const System& system, const PhaseKey& key,
                                      SprungEquations given)
-    : CoupledPhase(key, given.structure, observables_of(system, key, given),
+    : CoupledPhase(system, key, given.structure, observables_of(system, key, given),
                    coupled_by_springs(key, given)),
       equations_(given.system),
       stops_(key.springs.all()),

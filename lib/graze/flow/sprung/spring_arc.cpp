@@ -37,7 +37,7 @@ Observable<double> linear_force(const ContactForce& law, const Observable<double
 
 // The reduced motion with its springs, on the displacements themselves.
 SprungEquations sprung_equations(const System& system, const PhaseKey& key) {
-  SprungEquations equations{ConstrainedStructure<double>(system, key.closed), {}};
+  SprungEquations equations{ConstrainedStructure<double>(system, key.closed, key.places), {}};
   SprungSystem& sprung = equations.system;
   if (equations.structure.has_real_modes) {
     const LinearSystem<double>& modes = equations.structure.reduced;

@@ -212,6 +212,7 @@ void add_coupled(const System& system, const ExactPhase<double>& phase, double s
                     structure.units[k];
   }
   for (const int i : phase.closed()) {
+    if (system.is_friction(i)) continue;
     const Stop& stop = system.stops[static_cast<std::size_t>(i)];
     if (acts_along_row(stop)) continue;
     const Vector weight =
@@ -248,17 +249,37 @@ Work work_on_springs(const System& system, const ContactPhase<double>& phase, do
   return work;
 }
 
+// What slides does work with its whole force along the way; what sticks to a belt is moved by it.
+double work_of_friction(const System& system, const ContactPhase<double>& phase, double s,
+                        const Vector& way) {
+  double work = 0.0;
+  for (std::size_t k = 0; k < system.frictions.size(); ++k) {
+    const Friction& friction = system.frictions[k];
+    const int index = static_cast<int>(system.stops.size() + k);
+    const Contact contact = phase.key().frictions[k];
+    if (contact != Contact::kClosed)
+      work += (contact == Contact::kForward ? -1.0 : 1.0) * friction.sliding * friction.row.dot(way);
+    else if (friction.speed != 0.0 && phase.exact()->structure().holds(index))
+      work -= friction.speed *
+              integrals_along(*phase.exact(),
+                              phase.exact()->observables()[static_cast<std::size_t>(index)], s)
+                  .value;
+  }
+  return work;
+}
+
 }  // namespace
 
 Work work_along(const System& system, const ContactPhase<double>& phase, double s, double theta) {
   if (phase.sprung() && phase.stepped()) return work_on_springs(system, phase, s, theta);
   Work work;
-  if (system.load()) {
+  if (system.load() || !system.frictions.empty()) {
     const Eigen::Index n = system.modes();
     Vector q0(n), q1(n), qdot(n);
     phase.state(0.0, q0, qdot);
     phase.state(s, q1, qdot);
-    work.load = system.load()->dot(q1 - q0) + carried_load(system, theta, s);
+    if (system.load()) work.load = system.load()->dot(q1 - q0) + carried_load(system, theta, s);
+    work.friction = work_of_friction(system, phase, s, q1 - q0);
   }
   if (const SeriesPhase* series = phase.series()) {
     const SeriesWork done = series->work(s);

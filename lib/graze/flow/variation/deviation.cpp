@@ -1,5 +1,6 @@
 #include "graze/flow/variation/detail/deviation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -156,6 +157,30 @@ void move_instant(Deviations& deviations, const State& rate, const Eigen::RowVec
   deviations.delay += shift;
 }
 
+Vector friction_push(const System& system, const std::vector<Contact>& frictions) {
+  if (system.frictions.empty()) return {};
+  Vector push = Vector::Zero(system.modes());
+  for (std::size_t k = 0; k < frictions.size(); ++k) {
+    const Friction& friction = system.frictions[k];
+    if (frictions[k] == Contact::kForward) push -= friction.sliding * friction.row;
+    if (frictions[k] == Contact::kBackward) push += friction.sliding * friction.row;
+  }
+  return push;
+}
+
+ForceChange force_change(const System& system, const PhaseKey& key, int friction, double theta,
+                         const State& rate) {
+  const auto place = std::find(key.closed.begin(), key.closed.end(), friction) - key.closed.begin();
+  const Vector share = contact_share(system, key.closed).row(place).transpose() /
+                       system.row(friction).squaredNorm();
+  ForceChange change{-system.omega.cwiseAbs2().cwiseProduct(share),
+                     -system.damping().transpose() * share};
+  if (const HarmonicForcing* forcing = system.forcing())
+    change.by_delay = forcing->frequency * share.dot(forcing->rate_at(theta));
+  change.rate = change.by_q.dot(rate.q) + change.by_qdot.dot(rate.qdot) + change.by_delay;
+  return change;
+}
+
 State held_rate(const System& system, const std::vector<int>& closed, const State& state,
                 double theta, const Vector& push) {
   State rate = vector_field(system, state, theta);
@@ -173,8 +198,10 @@ Vector held(const System& system, const std::vector<int>& closed, const Vector& 
 void hold(const System& system, const std::vector<int>& closed, Deviations& deviations) {
   if (closed.empty() || deviations.count() == 0) return;
   const Matrix rows = rows_of(system, closed), directions = directions_of(system, closed);
-  deviations.q -=
-      rows * LuFactors(rows.transpose() * rows).solve_columns(rows.transpose() * deviations.q);
+  Matrix beyond = rows.transpose() * deviations.q;
+  for (std::size_t a = 0; a < closed.size(); ++a)
+    if (system.is_friction(closed[a])) beyond.row(static_cast<Eigen::Index>(a)).setZero();
+  deviations.q -= rows * LuFactors(rows.transpose() * rows).solve_columns(beyond);
   deviations.qdot -=
       directions *
       LuFactors(rows.transpose() * directions).solve_columns(rows.transpose() * deviations.qdot);

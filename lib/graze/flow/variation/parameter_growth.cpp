@@ -6,6 +6,7 @@
 
 #include "graze/base/linalg/detail/linear_equations.hpp"
 #include "graze/flow/held/detail/contact_share.hpp"
+#include "graze/flow/sprung/detail/spring_arc.hpp"
 #include "graze/flow/variation/detail/transition.hpp"
 
 namespace graze {
@@ -93,47 +94,76 @@ ParameterGrowth free_growth(const System& system, const System& tangent,
 
 // The motion, held, with coupled modes or under several harmonics, in all N coordinates, q'' = P
 // (load + f(theta) - D q' - w^2 q) with P = 1 - D (B^T D)^-1 B^T, as x' = A x on x = (rates * q,
-// q', cos theta, sin theta, 1, and the cosine and sine of each further harmonic); and the
-// derivative of A by the parameter. Constraints are integrals of it, so they are kept.
-class ConstrainedGenerator {
+// q', cos theta, sin theta, 1, and the cosine and sine of each further harmonic). Constraints are
+// integrals of it, so they are kept.
+class HeldGenerator {
  public:
-  ConstrainedGenerator(const System& system, const System& tangent, const std::vector<int>& closed)
+  HeldGenerator(const System& system, const std::vector<int>& closed,
+                const std::vector<int>& springs = {})
       : n_(system.modes()),
-        rates_(system.omega.cwiseMax(system.forcing()->frequency)),
+        frequency_(system.forcing() ? system.forcing()->frequency : 0.0),
+        rates_(system.omega.cwiseMax(frequency_ > 0.0 ? frequency_ : 1.0)),
         orders_(orders_of(system)) {
-    const Matrix projection = held_projection(system, closed);
-    const Matrix projection_rate = held_projection_rate(system, tangent, closed);
-    const Matrix forces = forces_of(system), forces_rate = forces_rate_of(system, tangent);
+    Matrix forces = forces_of(system);
+    for (const int i : springs) {
+      const Stop& stop = system.stops[static_cast<std::size_t>(i)];
+      const ContactForce& law = stop.force();
+      forces.leftCols(n_) -= law.stiffness * stop.row * stop.row.cwiseQuotient(rates_).transpose();
+      forces.middleCols(n_, n_) -= dashpot_of(law) * stop.row * stop.row.transpose();
+    }
     generator_ = Matrix::Zero(size(), size());
     generator_.topRows(n_).middleCols(n_, n_) = rates_.asDiagonal();
-    generator_.middleRows(n_, n_) = projection * forces;
-    turn(system.forcing()->frequency, generator_);
-    rate_ = Matrix::Zero(size(), size());
-    rate_.middleRows(n_, n_) = projection_rate * forces + projection * forces_rate;
-    turn(tangent.forcing()->frequency, rate_);
-    stretch_ = -tangent.forcing()->frequency / system.forcing()->frequency;
-    frequency_ = system.forcing()->frequency;
+    generator_.middleRows(n_, n_) = held_projection(system, closed) * forces;
+    turn(frequency_, generator_);
   }
 
-  // Growth of a deviation, and of the state, over s seconds.
-  ParameterGrowth growth(const State& start, double theta, double s,
-                         const Deviations& column) const {
-    const Eigen::Index m = size();
-    Vector both = Vector::Zero(2 * m);
-    both.segment(0, n_) = rates_.cwiseProduct(column.q.col(0));
-    both.segment(n_, n_) = column.qdot.col(0);
-    both.segment(m, n_) = rates_.cwiseProduct(start.q);
-    both.segment(m + n_, n_) = start.qdot;
-    both[m + 2 * n_ + 2] = 1.0;
+  const Matrix& generator() const { return generator_; }
+  const Vector& rates() const { return rates_; }
+  double frequency() const { return frequency_; }
+  Eigen::Index size() const { return 2 * n_ + 1 + 2 * static_cast<Eigen::Index>(orders_.size()); }
+  // x of a state at forcing phase theta, and of a deviation.
+  Vector packed(const State& state, double theta) const {
+    Vector x = Vector::Zero(size());
+    x.head(n_) = rates_.cwiseProduct(state.q);
+    x.segment(n_, n_) = state.qdot;
+    for (std::size_t k = 0; k < orders_.size(); ++k)
+      x.segment(place(k), 2) << std::cos(orders_[k] * theta), std::sin(orders_[k] * theta);
+    x[2 * n_ + 2] = 1.0;
+    return x;
+  }
+  Matrix packed(const Deviations& of, double theta) const {
+    Matrix x = Matrix::Zero(size(), of.count());
+    x.topRows(n_) = rates_.asDiagonal() * of.q;
+    x.middleRows(n_, n_) = of.qdot;
     for (std::size_t k = 0; k < orders_.size(); ++k) {
-      const double c = std::cos(orders_[k] * theta), n = std::sin(orders_[k] * theta);
-      both.segment(m + place(k), 2) << c, n;
-      both.segment(place(k), 2) << -n, c;
-      both.segment(place(k), 2) *= orders_[k] * frequency_ * column.delay[0];
+      const double turn = orders_[k] * frequency_;
+      x.row(place(k)) = -turn * std::sin(orders_[k] * theta) * of.delay;
+      x.row(place(k) + 1) = turn * std::cos(orders_[k] * theta) * of.delay;
     }
-    const Vector added = exponential_less_one(s, both);
-    return {{added.segment(0, n_).cwiseQuotient(rates_), added.segment(n_, n_), column.delay},
-            added.segment(m, n_).cwiseQuotient(rates_)};
+    return x;
+  }
+  Deviations unpacked(const Matrix& x, const Eigen::RowVectorXd& delay) const {
+    return {rates_.cwiseInverse().asDiagonal() * x.topRows(n_), x.middleRows(n_, n_), delay};
+  }
+  void turn(double frequency, Matrix& generator) const {
+    for (std::size_t k = 0; k < orders_.size(); ++k) {
+      generator(place(k), place(k) + 1) = -orders_[k] * frequency;
+      generator(place(k) + 1, place(k)) = orders_[k] * frequency;
+    }
+  }
+  // N x size()
+  Matrix forces_of(const System& system) const {
+    Matrix forces = Matrix::Zero(n_, size());
+    forces.leftCols(n_) = (-system.omega.cwiseAbs2().cwiseQuotient(rates_)).asDiagonal();
+    add_others(system, forces);
+    return forces;
+  }
+  Matrix forces_rate_of(const System& system, const System& tangent) const {
+    Matrix forces = Matrix::Zero(n_, size());
+    forces.leftCols(n_) =
+        (-2.0 * system.omega.cwiseProduct(tangent.omega).cwiseQuotient(rates_)).asDiagonal();
+    add_others(tangent, forces);
+    return forces;
   }
 
  private:
@@ -146,63 +176,60 @@ class ConstrainedGenerator {
   Eigen::Index place(std::size_t k) const {
     return k == 0 ? 2 * n_ : 2 * n_ + 1 + 2 * static_cast<Eigen::Index>(k);
   }
-  Eigen::Index size() const { return 2 * n_ + 1 + 2 * static_cast<Eigen::Index>(orders_.size()); }
-  void turn(double frequency, Matrix& generator) const {
-    for (std::size_t k = 0; k < orders_.size(); ++k) {
-      generator(place(k), place(k) + 1) = -orders_[k] * frequency;
-      generator(place(k) + 1, place(k)) = orders_[k] * frequency;
+  // Of damping, forcing and load.
+  void add_others(const System& of, Matrix& forces) const {
+    forces.middleCols(n_, n_) = -of.damping();
+    if (of.load()) forces.col(2 * n_ + 2) = *of.load();
+    if (!of.forcing()) return;
+    forces.col(place(0)) = of.forcing()->amplitude;
+    for (std::size_t k = 0; k < of.forcing()->harmonics.size(); ++k) {
+      forces.col(place(k + 1)) = of.forcing()->harmonics[k].cosine;
+      forces.col(place(k + 1) + 1) = of.forcing()->harmonics[k].sine;
     }
-  }
-  void add_forcing(const HarmonicForcing& forcing, Matrix& forces) const {
-    forces.col(place(0)) = forcing.amplitude;
-    for (std::size_t k = 0; k < forcing.harmonics.size(); ++k) {
-      forces.col(place(k + 1)) = forcing.harmonics[k].cosine;
-      forces.col(place(k + 1) + 1) = forcing.harmonics[k].sine;
-    }
-  }
-
-  // N x size()
-  Matrix forces_of(const System& system) const {
-    Matrix forces = Matrix::Zero(n_, size());
-    forces.leftCols(n_) = (-system.omega.cwiseAbs2().cwiseQuotient(rates_)).asDiagonal();
-    forces.middleCols(n_, n_) = -system.damping();
-    add_forcing(*system.forcing(), forces);
-    if (system.load()) forces.col(2 * n_ + 2) = *system.load();
-    return forces;
-  }
-
-  Matrix forces_rate_of(const System& system, const System& tangent) const {
-    Matrix forces = Matrix::Zero(n_, size());
-    forces.leftCols(n_) =
-        (-2.0 * system.omega.cwiseProduct(tangent.omega).cwiseQuotient(rates_)).asDiagonal();
-    forces.middleCols(n_, n_) = -tangent.damping();
-    add_forcing(*tangent.forcing(), forces);
-    if (tangent.load()) forces.col(2 * n_ + 2) = *tangent.load();
-    return forces;
-  }
-
-  // (exp([A s, A_p s + A s_p; 0, A s]) - 1) times the deviation above the state.
-  Vector exponential_less_one(double s, const Vector& both) const {
-    const Eigen::Index m = size();
-    Matrix block = Matrix::Zero(2 * m, 2 * m);
-    block.topLeftCorner(m, m) = block.bottomRightCorner(m, m) = generator_ * s;
-    block.topRightCorner(m, m) = rate_ * s + generator_ * (stretch_ * s);
-    if (generator_.norm() * s >= 1.0) return matrix_exponential(block) * both - both;
-    // By its series, which keeps short flights accurate; 20! is beyond 1/eps.
-    Vector term = both, sum = Vector::Zero(2 * m);
-    for (int k = 1; k <= 20; ++k) {
-      term = block * term / k;
-      sum += term;
-    }
-    return sum;
   }
 
   Eigen::Index n_;
+  double frequency_;
   Vector rates_;  // rad/s, N
   std::vector<double> orders_;
-  Matrix generator_, rate_;
-  double stretch_ = 0.0, frequency_ = 0.0;
+  Matrix generator_;
 };
+
+// (exp(matrix) - 1) x; by its series, which keeps short flights accurate; 20! is beyond 1/eps.
+template <class Columns>
+Columns exponential_less_one(const Matrix& matrix, double size, const Columns& x) {
+  if (size >= 1.0) return matrix_exponential(matrix) * x - x;
+  Columns term = x, sum = Columns::Zero(x.rows(), x.cols());
+  for (int k = 1; k <= 20; ++k) {
+    term = matrix * term / k;
+    sum += term;
+  }
+  return sum;
+}
+
+// With the derivative of A by the parameter: growth of a deviation, and of the state, over s
+// seconds.
+ParameterGrowth held_growth(const System& system, const System& tangent,
+                            const std::vector<int>& closed, const State& start, double theta,
+                            double s, const Deviations& column) {
+  const HeldGenerator held(system, closed);
+  const Eigen::Index n = system.modes(), m = held.size();
+  Matrix rate = Matrix::Zero(m, m);
+  rate.middleRows(n, n) =
+      held_projection_rate(system, tangent, closed) * held.forces_of(system) +
+      held_projection(system, closed) * held.forces_rate_of(system, tangent);
+  held.turn(tangent.forcing()->frequency, rate);
+  const double stretch = -tangent.forcing()->frequency / held.frequency();
+  // exp([A s, A_p s + A s_p; 0, A s]) of the deviation above the state.
+  Matrix block = Matrix::Zero(2 * m, 2 * m);
+  block.topLeftCorner(m, m) = block.bottomRightCorner(m, m) = held.generator() * s;
+  block.topRightCorner(m, m) = rate * s + held.generator() * (stretch * s);
+  Vector both(2 * m);
+  both << held.packed(column, theta), held.packed(start, theta);
+  const Vector added = exponential_less_one(block, held.generator().norm() * s, both);
+  return {held.unpacked(added.head(m), column.delay),
+          added.segment(m, n).cwiseQuotient(held.rates())};
+}
 
 }  // namespace
 
@@ -211,7 +238,16 @@ ParameterGrowth parameter_growth(const System& system, const System& tangent,
                                  double s, const Deviations& column) {
   if (phase.closed().empty() && system.has_closed_forms() && !tangent.coupling())
     return free_growth(system, tangent, phase, start, theta, s, column);
-  return ConstrainedGenerator(system, tangent, phase.closed()).growth(start, theta, s, column);
+  return held_growth(system, tangent, phase.closed(), start, theta, s, column);
+}
+
+Deviations held_growth(const System& system, const std::vector<int>& closed,
+                       const std::vector<int>& springs, double theta, double s,
+                       const Deviations& start) {
+  const HeldGenerator held(system, closed, springs);
+  const Matrix matrix = held.generator() * s;
+  return held.unpacked(exponential_less_one(matrix, matrix.norm(), held.packed(start, theta)),
+                       start.delay);
 }
 
 void hold(const System& system, const System& tangent, const std::vector<int>& closed,
@@ -219,11 +255,17 @@ void hold(const System& system, const System& tangent, const std::vector<int>& c
   if (closed.empty()) return;
   const Matrix rows = rows_of(system, closed), directions = directions_of(system, closed),
                rows_rate = rows_of(tangent, closed);
-  Vector gaps(static_cast<Eigen::Index>(closed.size()));
-  for (std::size_t a = 0; a < closed.size(); ++a)
-    gaps[static_cast<Eigen::Index>(a)] = tangent.stops[static_cast<std::size_t>(closed[a])].gap;
-  const Vector beyond = rows.transpose() * column.q.col(0) + rows_rate.transpose() * state.q - gaps;
-  const Vector speed = rows.transpose() * column.qdot.col(0) + rows_rate.transpose() * state.qdot;
+  Vector beyond = rows.transpose() * column.q.col(0) + rows_rate.transpose() * state.q;
+  Vector speed = rows.transpose() * column.qdot.col(0) + rows_rate.transpose() * state.qdot;
+  for (std::size_t place = 0; place < closed.size(); ++place) {
+    const auto a = static_cast<Eigen::Index>(place);
+    if (system.is_friction(closed[place])) {
+      beyond[a] = 0.0;  // it sticks where it is
+      speed[a] -= tangent.friction(closed[place]).speed;
+    } else {
+      beyond[a] -= tangent.stops[static_cast<std::size_t>(closed[place])].gap;
+    }
+  }
   column.q.col(0) -= rows * LuFactors(rows.transpose() * rows).solve(beyond);
   column.qdot.col(0) -= directions * LuFactors(rows.transpose() * directions).solve(speed);
 }

@@ -12,6 +12,7 @@ struct Work {
   // The part of that energy which their damping took, J, >= 0: it may exceed all energy of the
   // structure, if springs were compressed at the start.
   double contact_lost = 0.0;
+  double friction = 0.0;  // of dry friction, J
   double stops = 0.0;  // of stops that move, J; works are then those on the structure itself
 };
 

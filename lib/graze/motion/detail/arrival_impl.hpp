@@ -34,6 +34,8 @@ void Motion<Real>::land(const Real& flight) {
     else if (contact(i) == Contact::kCompressed || contact(i) == Contact::kParted)
       set(i, contact(i));
   }
+  for (const int i : frictions_)
+    if (contact(i) != Contact::kTouching) set(i, contact(i));
 }
 
 // On a rigid stop that it has left from rest, before the clock feels it: only rounding can do that.
@@ -110,6 +112,12 @@ Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
         touch_simultaneous(arrival.flight);
       }
       break;
+    case ArrivalKind::kStandstill:
+      arrive_at_standstill(arrival.stop, arrival.flight == 0);
+      break;
+    case ArrivalKind::kSlip:
+      arrive_at_slip(arrival.stop, arrival.forward);
+      break;
     case ArrivalKind::kRelease:
       let_loose(arrival.stop, 3);
       vanish_together(arrival.flight);
@@ -162,8 +170,7 @@ void Motion<Real>::settle_on(int i, const Real& flight) {
   const auto part = [&](Eigen::Index j) {
     return largest > 0 ? Real(moves(j) / largest) : Real(0);
   };
-  const auto is_closed = [this](int k) { return contact(k) == Contact::kClosed; };
-  if (std::any_of(order_.begin(), order_.end(), is_closed)) {
+  if (holds_anywhere()) {
     RealVector<Real> weights(now_.q.size());
     for (Eigen::Index j = 0; j < weights.size(); ++j) weights[j] = part(j);
     if (settle_among_closed(i, weights)) return;
@@ -192,16 +199,15 @@ void Motion<Real>::settle_on(int i, const Real& flight) {
 // weights leave them no way.
 template <class Real>
 bool Motion<Real>::settle_among_closed(int i, const RealVector<Real>& weights) {
-  std::vector<int> kept{i};
-  for (const int k : order_)
-    if (contact(k) == Contact::kClosed) kept.push_back(k);
+  std::vector<int> kept = held();
+  kept.insert(kept.begin(), i);
   const auto count = static_cast<Eigen::Index>(kept.size());
   Matrix_ rows(now_.q.size(), count);
   RealVector<Real> offsets(count);
   for (Eigen::Index a = 0; a < count; ++a) {
     const MetStop& one = stop(kept[static_cast<std::size_t>(a)]);
     rows.col(a) = one.row;
-    offsets[a] = one.gap - one.row.dot(now_.q);
+    offsets[a] = one.given ? Real(one.gap - one.row.dot(now_.q)) : Real(0);
   }
   const Matrix_ shares = weights.cwiseAbs2().asDiagonal() * rows;
   const PivotedLu<Real> crossed(transposed_product<Real>(rows, shares));

@@ -90,6 +90,9 @@ template <class Real>
 bool Motion<Real>::is_quiet(const ContactPhase<Real>& phase, const std::vector<int>& chattering,
                             const Real& duration) {
   using std::abs;
+  // Friction that reverses with each impact is followed.
+  for (const int j : frictions_)
+    if (contact(j) == Contact::kTouching || !phase.stays_quiet(j, duration)) return false;
   for (const int j : order_) {
     if (std::find(chattering.begin(), chattering.end(), j) != chattering.end()) continue;
     if (is_touched(j)) {
@@ -205,6 +208,8 @@ template <class Real>
 std::optional<ClosedChatter<Real>> Motion<Real>::close_shared(const Real& closure_speed) {
   using std::abs;
   if (turning_) return {};  // no curve of it is known ahead
+  const auto sticks = [this](int i) { return contact(i) == Contact::kClosed; };
+  if (std::any_of(frictions_.begin(), frictions_.end(), sticks)) return {};
   const std::vector<int> stops = chattering_together(closure_speed);
   if (stops.empty()) return {};
   ContactPhase<Real>& held = phase_of(stops);

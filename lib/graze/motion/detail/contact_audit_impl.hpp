@@ -93,16 +93,18 @@ void Motion<Real>::audit_forces() {
   const std::vector<int> held = closed();
   for (const int i : held) {
     if (!(force(i) < 0)) continue;
-    if (pulls(held))
+    if (pulls())
       return fail_audit(i,
                         fmt::format("its contact force is {:.3g}{}", static_cast<double>(force(i)),
                                     unit_behind(system_.units, "N")));
   }
 }
 
-// Whether one of the closed stops pulls, beyond the rounding of the shared forces.
+// Whether one of the closed stops pulls, beyond the rounding of the forces that they share with
+// what sticks.
 template <class Real>
-bool Motion<Real>::pulls(const std::vector<int>& held) const {
+bool Motion<Real>::pulls() const {
+  const std::vector<int> held = this->held();
   RealVector<Real> size;
   const RealVector<Real> acceleration = free_acceleration(&size);
   if (vanished_ > 0) size += located_size();
@@ -117,8 +119,10 @@ bool Motion<Real>::pulls(const std::vector<int>& held) const {
                   row.cwiseAbs().dot(size);
   }
   const Matrix_ sharing = PivotedLu<Real>(pressing(held)).inverse();
-  return ((image<Real>(sharing, push) + image<Real>(sharing.cwiseAbs(), rounding)).array() < 0)
-      .any();
+  const auto stops = static_cast<Eigen::Index>(closed().size());
+  const RealVector<Real> most =
+      image<Real>(sharing, push) + image<Real>(sharing.cwiseAbs(), rounding);
+  return (most.head(stops).array() < 0).any();
 }
 
 // q'.M q', twice the kinetic energy.

@@ -68,14 +68,17 @@ std::optional<Arrival<Real>> Motion<Real>::decide_rigid() {
       resting.push_back(i);
   }
   undecided_ = false;
+  const auto stands = [this](int i) { return contact(i) == Contact::kTouching; };
+  recheck_ = recheck_ || std::any_of(frictions_.begin(), frictions_.end(), stands);
   if (resting.empty() && !recheck_) return {};
   recheck_ = false;
   resting.insert(resting.end(), lingering.begin(), lingering.end());
   const bool decided = decide_resting(resting);
   phase_ = nullptr;
   undecided_ = false;
-  if (!decided) return Arrival<Real>{ArrivalKind::kUndecided, order_.front()};
-  const ContactPhase<Real>& next = phase_of(closed());
+  if (!decided)
+    return Arrival<Real>{ArrivalKind::kUndecided, order_.empty() ? -1 : order_.front()};
+  const ContactPhase<Real>& next = phase_of(held());
   refusal_ = next.refusal();
   if (!refusal_.empty()) {
     changes_.clear();
@@ -170,7 +173,8 @@ void Motion<Real>::turn_directions() {
 template <class Real>
 Real Motion<Real>::free_acceleration(Eigen::Index j, const Real& cosine, Real* size) const {
   using std::abs;
-  const Real load = linear_.load.size() > 0 ? linear_.load[j] : Real(0);
+  Real load = linear_.load.size() > 0 ? linear_.load[j] : Real(0);
+  if (rubbing_.size() > 0) load += rubbing_[j];
   const Real force = linear_.force(j, cosine, clock_.phase(now_.instant));
   Real damping = 2 * linear_.delta[j] * now_.qdot[j];
   if (linear_.coupling.size() > 0) damping += linear_.coupling.row(j).dot(now_.qdot);
@@ -211,32 +215,24 @@ bool Motion<Real>::decide_resting(const std::vector<int>& resting) {
     if (contact(i) == Contact::kClosed || contact(i) == Contact::kLocked ||
         std::find(resting.begin(), resting.end(), i) != resting.end())
       candidates.push_back(i);
-  const auto k = static_cast<Eigen::Index>(candidates.size());
-  RealVector<Real> size;
-  const RealVector<Real> acceleration = free_acceleration(&size);
-  if (vanished_ > 0) size += located_size();
-  RealVector<Real> push(k), rounding(k);
-  for (Eigen::Index a = 0; a < k; ++a) {
-    const MetStop& s = stop(candidates[static_cast<std::size_t>(a)]);
-    push[a] = s.row.dot(acceleration);
-    rounding[a] = push_rounding(candidates[static_cast<std::size_t>(a)], size);
-  }
-  const Matrix_ shares = pressing(candidates);
-  const std::optional<RealVector<Real>> held = solve_contacts(shares, push, rounding);
-  if (!held) return false;
-  const RealVector<Real> into = push - shares * *held;
+  const std::optional<PushShares> shares = share_pushes(candidates);
+  if (!shares) return false;
   std::vector<int> pressed, degenerate;
-  for (Eigen::Index a = 0; a < k; ++a) {
-    const int i = candidates[static_cast<std::size_t>(a)];
-    if ((*held)[a] * shares(a, a) > rounding[a])
+  for (std::size_t place = 0; place < candidates.size(); ++place) {
+    const auto a = static_cast<Eigen::Index>(place);
+    const int i = candidates[place];
+    if (shares->presses(a))
       pressed.push_back(i);
-    else if (into[a] < -rounding[a])
+    else if (shares->into[a] < -shares->rounding[a])
       let_go(i, 2);
     else
       degenerate.push_back(i);
   }
   // Stops that are left are decided first: an open stop keeps nothing in place.
-  const std::vector<int> kept = decide_degenerate(pressed, std::move(degenerate));
+  std::vector<int> sticking = pressed;
+  for (const int i : frictions_)
+    if (contact(i) == Contact::kClosed) sticking.push_back(i);
+  const std::vector<int> kept = decide_degenerate(sticking, std::move(degenerate));
   // A closed stop that others now keep in place gives way to them: of two that face each other the
   // one that is pressed holds.
   for (const int i : kept)
@@ -301,7 +297,7 @@ void Motion<Real>::hold(int i) {
     set(i, Contact::kClosed);
     return;
   }
-  if (!is_independent(i, closed())) {
+  if (!is_independent(i, held())) {
     set(i, Contact::kLocked);
     return;
   }
@@ -331,10 +327,10 @@ bool Motion<Real>::is_independent(int i, const std::vector<int>& list) const {
          std::numeric_limits<double>::epsilon() * row.squaredNorm();
 }
 
-// Sets b.q' = 0 at every closed stop.
+// Sets b.q' = 0 at every closed stop, and to the speed of its belt where friction sticks.
 template <class Real>
 void Motion<Real>::rest_on_closed() {
-  const std::vector<int> stops = closed();
+  const std::vector<int> stops = held();
   if (stops.empty()) return;
   RealVector<Real> speeds(static_cast<Eigen::Index>(stops.size()));
   for (std::size_t a = 0; a < stops.size(); ++a)

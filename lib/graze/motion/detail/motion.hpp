@@ -9,7 +9,8 @@
 //   stick:   on a stop at zero speed and pushed; its contact force holds it from then on;
 //   release: the first instant at which the contact force of a closed stop falls through zero;
 //   entry:   a compliant stop is reached and its spring compressed from then on; nothing jumps;
-//   separation: its force is gone, at the surface of the stop or below it.
+//   separation: its force is gone, at the surface of the stop or below it;
+//   slip, stick, reversal: of dry friction (friction_impl.hpp).
 //
 // Events lie at the end of the arc that leads to them; the next arc departs from its known zero of
 // the gap: simple after an impact, double when pulled away from rest, triple after a release.
@@ -106,7 +107,8 @@ class Motion {
   // reported.
   bool has_pending_events() const { return undecided_ || !changes_.empty(); }
   bool is_closed(int stop) const { return contact(stop) == Contact::kClosed; }
-  bool is_closed_anywhere() const;
+  // Whether a stop is closed.
+  bool is_closed_anywhere() const { return !closed().empty(); }
   // Whether a spring is compressed.
   bool is_sprung() const { return !springs().empty(); }
   // The force of a compressed spring at the present instant, N; 0 when it is not compressed.
@@ -124,6 +126,14 @@ class Motion {
   const ArcCurve<Real>& gap_ahead(int stop, const Real& window);
   // Force between structure and stop at the present instant, N; 0 where it is open.
   Real contact_force(int stop) { return is_closed(stop) ? force(stop) : spring_force(stop); }
+  // What dry friction exerts along -u at the present instant, N.
+  Real friction_force(int friction) {
+    if (is_closed(friction)) return force(friction);
+    const Real sliding = Real(system_.friction(friction).sliding);
+    return contact(friction) == Contact::kForward    ? sliding
+           : contact(friction) == Contact::kBackward ? Real(-sliding)
+                                                     : Real(0);
+  }
   // Contact force of a closed stop at the present instant, N.
   Real force(int stop) { return start_phase().force_at(stop, Real(0), now_.q, now_.qdot); }
   // gap - row.q at the present instant.
@@ -139,9 +149,10 @@ class Motion {
     Real gap = 0;
     Real norm = 0;   // |row|
     Real norm2 = 0;  // |row|^2 where the direction is row/|row|^2 to rounding; 0: it is oblique
-    const Stop* given = nullptr;  // of system_
+    const Stop* given = nullptr;  // of system_; null: it is dry friction
+    Real belt = 0;                // m/s, speed at which that is at rest
 
-    bool is_compliant() const { return given->is_compliant(); }
+    bool is_compliant() const { return given && given->is_compliant(); }
     const Restitution& restitution() const { return given->restitution(); }
     const ContactForce& force() const { return given->force(); }
   };
@@ -181,7 +192,9 @@ class Motion {
   bool touches(int i) const;
   bool is_touched(int i) const;
   bool is_leaving(int i) const;
-  std::vector<int> closed() const;
+  std::vector<int> closed() const;  // stops
+  std::vector<int> held() const;    // and frictions that stick
+  bool holds_anywhere() const;
   ContactPhase<Real>& phase_of(const std::vector<int>& closed);
   void forget_phase();
   PhaseSprings springs() const;
@@ -264,6 +277,28 @@ class Motion {
   static int first_of(const ContactPhase<Real>& phase);
   Arrival<Real> stay();
   Arrival<Real> search(const Real& until, const Real& horizon);
+  // The shares of the stops in pushes, m/s^2: contact forces, and accelerations that are left.
+  struct PushShares {
+    RealVector<Real> forces, into, rounding, own;
+    bool presses(Eigen::Index a) const { return forces[a] * own[a] > rounding[a]; }
+  };
+  std::optional<PushShares> share_pushes(const std::vector<int>& stops);
+  std::optional<PushShares> share_among(const std::vector<int>& stops, std::vector<int> standing);
+  void adopt_frictions();
+  std::size_t place(int friction) const {
+    return static_cast<std::size_t>(friction) - system_.stops.size();
+  }
+  void note_rubbing();
+  void renew_places();
+  void slide(int friction, bool forward, int multiplicity);
+  void start_sliding(int friction, bool forward);
+  Real sliding_rounding(int friction) const;
+  void judge_frictions(Jumped what);
+  void stand(int friction);
+  void stick(int friction);
+  void unlock_frictions();
+  void arrive_at_standstill(int friction, bool at_once);
+  void arrive_at_slip(int friction, bool forward);
   bool has_friction() const { return turning_ && system_.rotation()->friction; }
   void set_joint(Joint joint);
   void look_at_joint();
@@ -281,7 +316,7 @@ class Motion {
   Real pushing_rounding(int stop, const Real& flight) const;
   void audit_gaps(const Real& flight);
   void audit_forces();
-  bool pulls(const std::vector<int>& held) const;
+  bool pulls() const;
   Real kinetic_square() const;
   void audit_impact(const Real& before);
 
@@ -297,6 +332,10 @@ class Motion {
   std::vector<int> order_, compliant_, all_;
   std::optional<int> left_out_;
   std::vector<int> looked_at_;  // all but that
+  std::vector<int> frictions_;  // after the stops
+  bool on_belts_ = false;       // some of them
+  std::vector<int> watched_;    // both
+  RealVector<Real> rubbing_;    // force of what slides; empty without friction
   MotionState<Real> now_, departure_;
   struct KeptPhase {
     std::unique_ptr<ContactPhase<Real>> phase;

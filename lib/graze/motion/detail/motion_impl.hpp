@@ -12,6 +12,7 @@
 #include "graze/motion/detail/chatter_impl.hpp"
 #include "graze/motion/detail/contact_audit_impl.hpp"
 #include "graze/motion/detail/contact_decision_impl.hpp"
+#include "graze/motion/detail/friction_impl.hpp"
 #include "graze/motion/detail/impact_impl.hpp"
 #include "graze/motion/detail/joint_impl.hpp"
 #include "graze/motion/detail/motion.hpp"
@@ -47,10 +48,13 @@ Motion<Real>::Motion(const System& system, const Instant<Real>& instant, const R
   adopt_system();
   now_ = {instant, q, qdot, std::vector<Contact>(stops_.size(), Contact::kClear),
           std::vector<int>(stops_.size(), 0)};
+  now_.places.assign(frictions_.size(), 0.0);
   turn_directions();
   for (const int i : order_)
     if (touches(i)) set(i, Contact::kTouching);
   begin_springs();
+  judge_frictions(Jumped::kVelocities);
+  changes_.clear();
   look_at_joint();
 }
 
@@ -73,6 +77,7 @@ void Motion<Real>::go_on_from(const MotionState<Real>& state) {
   ask_again();
   changes_.clear();
   phase_ = nullptr;
+  if (!frictions_.empty()) note_rubbing();
   arrivals_at_once_ = 0;
   sure_.clear();
   entered_.clear();
@@ -98,6 +103,7 @@ void Motion<Real>::adopt_system() {
   all_ = order_;
   all_.insert(all_.end(), compliant_.begin(), compliant_.end());
   looked_at_ = all_;
+  adopt_frictions();
   if (system_.turns()) turning_.emplace(system_);
 }
 
@@ -106,10 +112,13 @@ void Motion<Real>::leave_out(std::optional<int> stop) {
   left_out_ = stop;
   looked_at_ = all_;
   if (stop) std::erase(looked_at_, *stop);
+  watched_ = looked_at_;
+  watched_.insert(watched_.end(), frictions_.begin(), frictions_.end());
 }
 
 template <class Real>
 void Motion<Real>::set(int i, Contact contact, int multiplicity) {
+  if (on_belts_ && this->contact(i) != contact) renew_places();
   now_.contacts[static_cast<std::size_t>(i)] = contact;
   now_.multiplicities[static_cast<std::size_t>(i)] = multiplicity;
   if (contact == Contact::kTouching) undecided_ = true;
@@ -130,14 +139,28 @@ std::vector<int> Motion<Real>::closed() const {
 }
 
 template <class Real>
-bool Motion<Real>::is_closed_anywhere() const {
+std::vector<int> Motion<Real>::held() const {
+  std::vector<int> list = closed();
+  for (const int i : frictions_)
+    if (contact(i) == Contact::kClosed) list.push_back(i);
+  return list;
+}
+
+template <class Real>
+bool Motion<Real>::holds_anywhere() const {
   return std::any_of(now_.contacts.begin(), now_.contacts.end(),
                      [](Contact c) { return c == Contact::kClosed; });
 }
 
 template <class Real>
 ContactPhase<Real>& Motion<Real>::phase_of(const std::vector<int>& closed) {
-  const PhaseKey key{closed, springs(), now_.joint, untold()};
+  PhaseKey key{closed, springs(), now_.joint, untold()};
+  for (const int i : frictions_) {
+    const bool slides = contact(i) == Contact::kForward || contact(i) == Contact::kBackward;
+    key.frictions.push_back(slides ? contact(i) : Contact::kClosed);
+  }
+  for (const int i : closed)
+    if (system_.is_friction(i)) key.places.push_back(now_.places[place(i)]);
   KeptPhase& kept = phases_[key];
   kept.asked = ++asked_;
   if (kept.phase) return *kept.phase;
@@ -164,7 +187,7 @@ void Motion<Real>::forget_phase() {
 
 template <class Real>
 ContactPhase<Real>& Motion<Real>::start_phase() {
-  if (!phase_) phase_ = &phase_of(closed());
+  if (!phase_) phase_ = &phase_of(held());
   start_at_now(*phase_);
   return *phase_;
 }
@@ -181,7 +204,7 @@ Real Motion<Real>::gap(int i) const {
 
 template <class Real>
 Real Motion<Real>::approach_speed(int i) const {
-  return stop(i).row.dot(now_.qdot);
+  return stop(i).row.dot(now_.qdot) - stop(i).belt;
 }
 
 template <class Real>
@@ -256,7 +279,7 @@ Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
   // Certainty about a flight with other velocities does not apply to this one.
   if (!sure_.empty() && sure_speeds_ != now_.qdot) sure_.clear();
   const Arrival<Real> arrival = phase.first_event(
-      now_, {left, horizon - now_.instant.local, looked_at_, stop_, told_depth_, sure_});
+      now_, {left, horizon - now_.instant.local, watched_, stop_, told_depth_, sure_});
   if (arrival.kind != ArrivalKind::kNotFinite && arrival.flight > left)
     return {ArrivalKind::kTime, -1, left, Real(0), arrival.evaluations, arrival.lowest};
   return arrival;

@@ -27,6 +27,7 @@ enum class WalkStep {
   kSeparation,  // from it
   kLeft,        // the surface of a compliant stop, after a separation below it
   kTouch,       // of a stop without an impact
+  kFriction,    // dry friction slips, sticks or reverses: see arrival()
   kFailure,     // the motion does not go on; see failure()
   kEnd
 };
@@ -45,7 +46,7 @@ class MotionWalk {
   // bit.
   WalkStep next(const Instant<Real>& end);
 
-  // The stop of the event.
+  // The stop or the friction of the event.
   int stop() const { return stop_; }
   // For departure and flight: whether only an instant is decided, without an arc; whether the arc
   // is cut by the end; where it begins, and where it ends unless an event happens before (s on the
@@ -79,6 +80,7 @@ class MotionWalk {
   std::optional<WalkStep> sum_tail();
 
   Motion<Real>& motion_;
+  int stops_;
   Real closure_speed_;
   double longest_flight_;  // s
   std::vector<const TimeCourse*> courses_;

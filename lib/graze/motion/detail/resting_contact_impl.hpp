@@ -42,7 +42,7 @@ void Motion<Real>::ask_the_motion() {
 // Where rounding let it leave: it is held by no force so far, and the motion tells beside springs.
 template <class Real>
 void Motion<Real>::rest_untold(int i) {
-  if (is_independent(i, closed()))
+  if (is_independent(i, held()))
     set(i, Contact::kClosed, is_sprung() ? kHeldUntold : kHeldIdle);
   else
     set(i, Contact::kLocked);
@@ -167,6 +167,7 @@ void Motion<Real>::let_loose(int i, int multiplicity) {
   phase_ = nullptr;
   for (const int k : order_)
     if (contact(k) == Contact::kLocked) set(k, Contact::kTouching, 2);  // at rest there
+  unlock_frictions();
 }
 
 }  // namespace graze

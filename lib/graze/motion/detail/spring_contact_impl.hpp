@@ -108,7 +108,8 @@ void Motion<Real>::judge_again(Jumped what) {
       changes_.push_back(
           {before == Contact::kParted ? ArrivalKind::kEntry : ArrivalKind::kSeparation, i});
   }
-  if (is_closed_anywhere()) undecided_ = recheck_ = true;
+  if (!frictions_.empty()) judge_frictions(what);
+  if (holds_anywhere()) undecided_ = recheck_ = true;
 }
 
 // Of the touched springs, those that are approached are entered, those that recede are left.

@@ -112,6 +112,7 @@ std::optional<double> Response::clearance(const std::vector<Stop>& stops) const 
 }
 
 std::optional<Response> response_of(const System& system) {
+  if (!system.frictions.empty()) return {};
   const Eigen::Index n = system.modes();
   Response response{{}, Vector::Zero(n)};
   for (Eigen::Index j = 0; j < n; ++j) {

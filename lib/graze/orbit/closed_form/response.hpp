@@ -37,7 +37,7 @@ struct Response {
 };
 
 // Returns nullopt when there is no such motion, or more than one: at an undamped resonance, for a
-// free mass; and under a signal, which is no harmonic. Requires forcing.
+// free mass; under a signal, which is no harmonic; and with dry friction. Requires forcing.
 std::optional<Response> response_of(const System& system);
 
 // Derivative of the response by the parameter of this tangent.

@@ -1,5 +1,7 @@
 #include "graze/orbit/problem/detail/carried_deviations.hpp"
 
+#include <algorithm>
+
 #include "graze/base/linalg/detail/linear_equations.hpp"
 #include "graze/flow/held/detail/contact_share.hpp"
 #include "graze/flow/variation/detail/sprung_deviation.hpp"
@@ -20,12 +22,29 @@ std::vector<int> CarriedDeviations::closed_now() const {
   std::vector<int> closed;
   for (std::size_t i = 0; i < system_.stops.size(); ++i)
     if (motion_.is_closed(static_cast<int>(i))) closed.push_back(static_cast<int>(i));
+  for (std::size_t k = 0; k < system_.frictions.size(); ++k)
+    if (const int i = static_cast<int>(system_.stops.size() + k); motion_.is_closed(i))
+      closed.push_back(i);
   return closed;
 }
 
 State CarriedDeviations::rate_now(const std::vector<int>& closed, int without) const {
-  return held_rate(system_, closed, state_now(), motion_.flow().phase(motion_.instant()),
-                   spring_push(system_, motion_, without));
+  const std::vector<Contact>& all = motion_.state().contacts;
+  const auto first = all.begin() + static_cast<std::ptrdiff_t>(system_.stops.size());
+  return rate_now(closed, {first, all.end()}, without);
+}
+
+State CarriedDeviations::rate_now(const std::vector<int>& closed,
+                                  const std::vector<Contact>& frictions, int without) const {
+  Vector push = spring_push(system_, motion_, without);
+  if (const Vector rubs = friction_push(system_, frictions); rubs.size() > 0)
+    push = push.size() > 0 ? Vector(push + rubs) : rubs;
+  return held_rate(system_, closed, state_now(), motion_.flow().phase(motion_.instant()), push);
+}
+
+State CarriedDeviations::rate_flown() const {
+  const PhaseKey& key = motion_.flown().key();
+  return rate_now(key.closed, key.frictions);
 }
 
 // Whether b.dq = 0 holds exactly there. On springs deviations are projected to the time of the
@@ -55,11 +74,39 @@ void CarriedDeviations::carry(const Arrival<double>& arrival) {
   }
   deviations_->q += change.q;
   deviations_->qdot += change.qdot;
-  if (arrival.kind == ArrivalKind::kContact) meet(arrival, reach, closed);
+  if (arrival.kind == ArrivalKind::kContact) meet(arrival, reach, false);
+  if (arrival.kind == ArrivalKind::kStandstill) stand(arrival.stop);
+  if (arrival.kind == ArrivalKind::kSlip) slip(arrival.stop);
+}
+
+// To where the deviated motion stands still itself: b.dq' = 0.
+void CarriedDeviations::stand(int i) {
+  const Friction& friction = system_.friction(i);
+  const State rate = rate_flown();
+  move_instant(*deviations_, rate,
+               -(friction.row.transpose() * deviations_->qdot) / friction.row.dot(rate.qdot));
+  const Eigen::RowVectorXd left = friction.row.transpose() * deviations_->qdot;
+  deviations_->qdot.noalias() -= friction.direction * left;
+}
+
+// Where the force is the same before and after, nothing jumps. Else to where the deviated motion
+// reaches the limit: the force is a share of the free acceleration.
+void CarriedDeviations::slip(int i) {
+  if (system_.friction(i).sliding == system_.friction(i).sticking) return;
+  const ForceChange change = force_change(system_, motion_.flown().key(), i,
+                                          motion_.flow().phase(motion_.instant()), rate_flown());
+  const Eigen::RowVectorXd reach = change.by_q.transpose() * deviations_->q +
+                                   change.by_qdot.transpose() * deviations_->qdot +
+                                   change.by_delay * deviations_->delay;
+  move_instant(*deviations_, rate_flown(), -reach / change.rate);
 }
 
 Deviations CarriedDeviations::change_along(double flight, const std::vector<int>& closed) {
   hold(system_, closed, *deviations_);
+  const auto sticks = [this](int i) { return system_.is_friction(i); };
+  if (std::any_of(closed.begin(), closed.end(), sticks))
+    return held_growth(system_, closed, motion_.flown().springs().loaded,
+                       motion_.flow().phase(motion_.departure().instant), flight, *deviations_);
   const SpringArc* sprung = motion_.flown().sprung();
   if (!sprung || !motion_.flown().stepped())
     return growth(*motion_.flown().exact(), flight, *deviations_);
@@ -80,24 +127,28 @@ void CarriedDeviations::carry_parameter(const Arrival<double>& arrival,
   else
     parameter_->carry(*motion_.flown().exact(), from, theta, arrival.flight);
   if (arrival.kind == ArrivalKind::kContact)
-    parameter_->meet(arrival.stop, state_now(), rate_now(closed), arrival.speed,
+    parameter_->meet(arrival.stop, state_now(), rate_flown(), arrival.speed,
                      departed_from(arrival.stop));
+  if (arrival.kind == ArrivalKind::kStandstill)
+    parameter_->stand(arrival.stop, state_now(), rate_flown());
+  if (arrival.kind == ArrivalKind::kSlip)
+    parameter_->slip(motion_.flown().key(), arrival.stop, arrival.forward, state_now(),
+                     motion_.flow().phase(motion_.instant()), rate_flown());
 }
 
 void CarriedDeviations::meet(const Arrival<double>& arrival, const Eigen::RowVectorXd& reach,
-                             const std::vector<int>& closed) {
+                             bool at_once) {
   const Stop& s = stop(arrival.stop);
-  move_instant(*deviations_, rate_now(closed), -reach / arrival.speed);
+  move_instant(*deviations_, at_once ? rate_now(closed_now()) : rate_flown(), -reach / arrival.speed);
   const Eigen::RowVectorXd left = s.row.transpose() * deviations_->q / s.row.squaredNorm();
   deviations_->q.noalias() -= s.row * left;
 }
 
 void CarriedDeviations::meet_at_once(const Arrival<double>& arrival) {
   if (!any()) return;
-  const std::vector<int> closed = closed_now();
-  if (deviations_) meet(arrival, stop(arrival.stop).row.transpose() * deviations_->q, closed);
+  if (deviations_) meet(arrival, stop(arrival.stop).row.transpose() * deviations_->q, true);
   if (parameter_)
-    parameter_->meet_at_once(arrival.stop, state_now(), rate_now(closed), arrival.speed);
+    parameter_->meet_at_once(arrival.stop, state_now(), rate_now(closed_now()), arrival.speed);
 }
 
 // The derivative of q'+ = q'- - D (B^T D)^-1 (v- - target) over the stops that act.

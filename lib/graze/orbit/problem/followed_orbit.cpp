@@ -258,7 +258,7 @@ std::optional<Orbit> orbit_of(const System& system, const SegmentShooting& shoot
   add_events(system, segments, shooting.periods_each(), met, orbit);
   // Contacts at speeds within rounding belong to a structure at rest.
   const double still = still_speed(system);
-  if (!stuck && !grazing &&
+  if (!stuck && !grazing && system.frictions.empty() &&
       std::none_of(orbit.impacts.begin(), orbit.impacts.end(),
                    [&](const OrbitImpact& impact) { return impact.speed > still; }))
     return {};
@@ -289,7 +289,8 @@ FollowedAnswer followed_orbit(const System& system, const State& at_period_start
   if (system.has_rigid_stop()) {
     const TrajectorySegment first = pass(system, start, {period, 0.0}, options);
     if (!first.failure.empty()) return {{}, first.failure};
-    const bool meets_some = !first.impacts.empty() || system.has_compliant_stop();
+    const bool meets_some = !first.impacts.empty() || system.has_compliant_stop() ||
+                            !system.frictions.empty();
     if (!first.sticking.empty() || !meets_some)
       return stuck_orbit(system, start, first, period, options);
   }

@@ -24,6 +24,25 @@ bool same_lapse(const Orbit& orbit, const OrbitImpact& x, const OrbitImpact& x_f
   return std::abs(std::remainder(lapse, kTurn * orbit.period)) <= 2.0 * kSameOrbit;
 }
 
+// Orbits without impacts are told apart by their states on the section.
+bool same_states(const Orbit& a, const Orbit& b) {
+  if (!a.section || !b.section || a.section->states.size() != b.section->states.size())
+    return a.impacts.empty() && b.impacts.empty();
+  const auto same = [](const Vector& x, const Vector& y) {
+    return (x - y).norm() <= kSameOrbit * (x.norm() + y.norm());
+  };
+  const std::size_t count = a.section->states.size();
+  for (std::size_t turn = 0; turn < count; ++turn) {
+    bool all = true;
+    for (std::size_t i = 0; i < count && all; ++i) {
+      const MotionState<double>&x = a.section->states[i], &y = b.section->states[(i + turn) % count];
+      all = same(x.q, y.q) && same(x.qdot, y.qdot);
+    }
+    if (all) return true;
+  }
+  return false;
+}
+
 // -1, 0 or 1 as one of their numbers orders a before b, all tie, or b comes before a.
 template <class Number>
 int compare(const Orbit& a, const Orbit& b, Number OrbitImpact::*number) {
@@ -40,6 +59,7 @@ int compare(const Orbit& a, const Orbit& b, Number OrbitImpact::*number) {
 bool same_orbit(const Orbit& a, const Orbit& b, double speed_scale) {
   if (a.period != b.period || a.impacts.size() != b.impacts.size() || a.sticks() != b.sticks())
     return false;
+  if (a.impacts.empty()) return same_states(a, b);
   double largest = speed_scale;
   for (const OrbitImpact& impact : a.impacts) largest = std::max(largest, std::abs(impact.speed));
   // Two impacts of nearly one phase may have been ordered either way: try every rotation.

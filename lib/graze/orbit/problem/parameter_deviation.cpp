@@ -1,8 +1,12 @@
 #include "graze/orbit/problem/detail/parameter_deviation.hpp"
 
+#include <algorithm>
+
 #include "graze/base/linalg/detail/linear_equations.hpp"
+#include "graze/flow/detail/phase_choice.hpp"
 #include "graze/flow/held/detail/contact_share.hpp"
 #include "graze/flow/variation/detail/sprung_deviation.hpp"
+#include "graze/flow/variation/detail/transition.hpp"
 #include "graze/orbit/problem/detail/shooting.hpp"
 
 namespace graze {
@@ -16,7 +20,13 @@ ParameterDeviation::ParameterDeviation(const System& system, const System& tange
 void ParameterDeviation::carry(const ExactPhase<double>& phase, const State& start, double theta,
                                double s) {
   hold(*system_, *tangent_, phase.closed(), start, column_);
-  ParameterGrowth growth = parameter_growth(*system_, *tangent_, phase, start, theta, s, column_);
+  const PhaseKey& key = phase.key();
+  ParameterGrowth growth =
+      key.frictions.empty()
+          ? parameter_growth(*system_, *tangent_, phase, start, theta, s, column_)
+          : parameter_growth(under_friction(*system_, key),
+                             under_friction_rate(*system_, *tangent_, key), phase, start, theta, s,
+                             column_);
   column_.q += growth.change.q;
   column_.qdot += growth.change.qdot;
   last_ = std::move(growth.change);
@@ -59,6 +69,41 @@ void ParameterDeviation::move_to(int i, const State& at, const State& rate, doub
   const Stop& s = stop(i);
   const double beyond = s.row.dot(column_.q.col(0)) + stop_rate(i).row.dot(at.q) - stop_rate(i).gap;
   column_.q.col(0) -= s.row * (beyond / s.row.squaredNorm());
+}
+
+void ParameterDeviation::stand(int i, const State& at, const State& rate) {
+  const Friction &friction = system_->friction(i), &moved = tangent_->friction(i);
+  const auto speed = [&] {
+    return friction.row.dot(column_.qdot.col(0)) + moved.row.dot(at.qdot) - moved.speed;
+  };
+  move_instant(column_, rate,
+               Eigen::RowVectorXd::Constant(1, -speed() / friction.row.dot(rate.qdot)));
+  column_.qdot.col(0) -= friction.direction * speed();
+}
+
+void ParameterDeviation::slip(const PhaseKey& key, int i, bool forward, const State& at,
+                              double theta, const State& rate) {
+  const Friction &friction = system_->friction(i), &moved = tangent_->friction(i);
+  if (friction.sliding == friction.sticking) return;
+  const System loaded = under_friction(*system_, key),
+               tangent = under_friction_rate(*system_, *tangent_, key);
+  const ForceChange change = force_change(*system_, key, i, theta, rate);
+  // Of the force by the parameter itself: lambda = share.(free acceleration)/(b.b).
+  const auto place = std::find(key.closed.begin(), key.closed.end(), i) - key.closed.begin();
+  const Vector share = contact_share(*system_, key.closed).row(place);
+  const Vector share_rate = contact_share_rate(*system_, *tangent_, key.closed).row(place);
+  const Vector free = vector_field(loaded, at, theta).qdot;
+  Vector free_rate = -tangent.resistance(at.qdot) -
+                     2.0 * system_->omega.cwiseProduct(tangent.omega).cwiseProduct(at.q);
+  if (tangent.forcing()) free_rate += tangent.forcing()->at(theta);
+  if (tangent.load()) free_rate += *tangent.load();
+  const double square = friction.row.squaredNorm(), force = share.dot(free) / square;
+  const double by_parameter = (share_rate.dot(free) + share.dot(free_rate)) / square -
+                              2.0 * force * friction.row.dot(moved.row) / square;
+  const double reach = change.by_q.dot(column_.q.col(0)) + change.by_qdot.dot(column_.qdot.col(0)) +
+                       change.by_delay * column_.delay[0] + by_parameter -
+                       (forward ? moved.sticking : -moved.sticking);
+  move_instant(column_, rate, Eigen::RowVectorXd::Constant(1, -reach / change.rate));
 }
 
 ParameterDeviation::Acting ParameterDeviation::acting(const std::vector<int>& stops) const {

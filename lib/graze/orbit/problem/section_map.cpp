@@ -60,15 +60,15 @@ double seconds_between(const System& system, const Instant<double>& from,
 
 std::vector<int> closed_stops(const MotionState<double>& at) {
   std::vector<int> closed;
-  for (std::size_t i = 0; i < at.contacts.size(); ++i)
+  for (std::size_t i = 0; i + at.places.size() < at.contacts.size(); ++i)
     if (at.contacts[i] == Contact::kClosed) closed.push_back(static_cast<int>(i));
   return closed;
 }
 
 State rate_of(const System& system, const MotionState<double>& at) {
-  const Motion<double> motion(system, at);
-  return held_rate(system, closed_stops(at), {at.q, at.qdot}, motion.flow().phase(at.instant),
-                   spring_push(system, motion));
+  Motion<double> motion(system, at);
+  CarriedDeviations none(system, motion, nullptr, nullptr);
+  return none.rate_now(none.closed_now());
 }
 
 SectionMap::SectionMap(const System& reference, std::vector<int> closed,
@@ -165,10 +165,16 @@ std::optional<MotionState<double>> SectionMap::start_of(const System& system, co
   if (!chart || !is_clear(system, chart->state.q, closed_)) return {};
   const State& at = chart->state;
   const Instant<double> instant = instant_at(system, theta);
-  if (closed_.empty()) return Motion<double>(system, instant, at.q, at.qdot).state();
+  MotionState<double> own = Motion<double>(system, instant, at.q, at.qdot).state();
+  if (closed_.empty()) return own;
   MotionState<double> state{instant, at.q, at.qdot,
                             std::vector<Contact>(system.stops.size(), Contact::kClear),
                             std::vector<int>(system.stops.size(), 0)};
+  for (std::size_t i = system.stops.size(); i < own.contacts.size(); ++i) {
+    state.contacts.push_back(own.contacts[i]);
+    state.multiplicities.push_back(own.multiplicities[i]);
+  }
+  state.places = own.places;
   for (std::size_t i = 0; i < system.stops.size(); ++i)
     if (system.stops[i].is_compliant() && system.stops[i].row.dot(at.q) > system.stops[i].gap)
       state.contacts[i] = Contact::kCompressed;

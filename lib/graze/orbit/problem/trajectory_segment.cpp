@@ -35,7 +35,7 @@ class Follower {
         contacts_(system.stops.size()) {
     motion_.stop_on(options.stop);
     const MotionState<double> start = motion.state();
-    for (std::size_t i = 0; i < start.contacts.size(); ++i) {
+    for (std::size_t i = 0; i < system.stops.size(); ++i) {
       if (start.contacts[i] == Contact::kClosed)
         open_sticking(static_cast<int>(i), start.instant, true);
       if (start.contacts[i] == Contact::kCompressed) open_contact(static_cast<int>(i), 0.0, true);
@@ -127,6 +127,7 @@ class Follower {
         close_sticking(walk_.stop());
         return true;
       case WalkStep::kTouch:
+      case WalkStep::kFriction:
         return true;
       case WalkStep::kFailure:
         return fail(walk_.arrival().kind == ArrivalKind::kUndecided && options_.stop.requested()
@@ -147,8 +148,16 @@ class Follower {
       return fail(
           "what a compliant stop does to small deviations of a structure that turns while another "
           "one holds it is not followed");
+    if (carried_.by_parameter() && carried_.closed_now().size() > closed_count())
+      return fail("how a parameter moves what rubs while springs are compressed is not followed");
     carried_.project_to_fixed_time();
     return true;
+  }
+
+  std::size_t closed_count() const {
+    std::size_t count = 0;
+    for (int i = 0; i < static_cast<int>(system_.stops.size()); ++i) count += motion_.is_closed(i);
+    return count;
   }
 
   void flown() {

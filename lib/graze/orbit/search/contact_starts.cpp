@@ -77,7 +77,7 @@ std::vector<State> closed_form_contacts(const System& system, int period,
     const Stop& stop = system.stops[i];
     // The two solutions have different speeds.
     const bool gives_way = stop.is_compliant();
-    for (std::size_t which = 0; which < 2 && (gives_way || !system.has_closed_forms()); ++which) {
+    for (std::size_t which = 0; which < 2 && (gives_way || !system.has_modal_flights()); ++which) {
       if (segment.stop.requested()) return starts;
       double speed = motion_scale(system).speed;
       std::optional<ImpactPoint> point;

@@ -9,6 +9,7 @@
 #include "graze/motion/simulation.hpp"
 #include "graze/orbit/closed_form/closed_form.hpp"
 #include "graze/orbit/closed_form/detail/periodic_response.hpp"
+#include "graze/orbit/closed_form/response.hpp"
 #include "graze/orbit/problem/detail/followed_orbit.hpp"
 #include "graze/orbit/problem/detail/solve.hpp"
 #include "graze/orbit/problem/orbit_identity.hpp"
@@ -68,7 +69,9 @@ class Finder {
     if (options_.from_closed_form && one_impact)
       followed_ ? from_closed_form_contacts() : from_closed_form();
     if (options_.from_simulation && start_) from_simulation();
-    if (!followed_)
+    if (const auto response = options_.impacts == 0 ? response_of(system_) : std::nullopt)
+      keep(response_orbit(system_, *response));
+    if (!followed_ && options_.impacts != 0)
       from_phases();
     else if (options_.from_random)
       from_rough_contacts();
@@ -100,7 +103,8 @@ class Finder {
     settle_options.closure_speed = options_.closure_speed;
     const SettledMotion settled = settle(system_, *start_, settle_options);
     const bool sticks = settled.kind == SettledKind::kSticks;
-    if (!sticks && settled.kind != SettledKind::kImpacts) {
+    const bool rubs = settled.kind == SettledKind::kClear && !system_.frictions.empty();
+    if (!sticks && !rubs && settled.kind != SettledKind::kImpacts) {
       found_.notes.push_back(settled.classification);
       return;
     }

@@ -33,7 +33,7 @@ bool FollowedPeriods::is_clear() const {
 
 void FollowedPeriods::follow() {
   const bool closed = motion_.is_closed_anywhere(), sprung = motion_.is_sprung();
-  contacts_ = {closed || sprung, closed, sprung, closed};
+  contacts_ = {closed || sprung || !system_.frictions.empty(), closed, sprung, closed};
   if (follow_to_end()) settling_.end_period(motion_.q(), motion_.qdot(), contacts_);
 }
 
@@ -86,6 +86,7 @@ bool FollowedPeriods::receive(WalkStep step) {
     case WalkStep::kSeparation:
     case WalkStep::kLeft:
     case WalkStep::kTouch:
+    case WalkStep::kFriction:
     case WalkStep::kEnd:
       break;
   }

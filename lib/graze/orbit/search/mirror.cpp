@@ -1,5 +1,7 @@
 #include "graze/orbit/search/detail/mirror.hpp"
 
+#include <algorithm>
+
 #include "graze/base/angle.hpp"
 #include "graze/orbit/search/detail/solved_orbit.hpp"
 
@@ -32,6 +34,10 @@ std::optional<Orbit> mirrored_impacts(const System& system, const Orbit& orbit,
 
 std::optional<std::vector<int>> opposite_stops(const System& system) {
   if (system.load() && !system.load()->isZero(0.0)) return {};
+  const auto drags = [](const Friction& friction) { return friction.speed != 0.0; };
+  if (system.stops.empty() ||
+      std::any_of(system.frictions.begin(), system.frictions.end(), drags))
+    return {};
   std::vector<int> opposite;
   for (const Stop& stop : system.stops) {
     std::size_t other = 0;
@@ -51,6 +57,11 @@ std::optional<Orbit> mirrored_orbit(const System& system, const Orbit& orbit,
   image.instant = later(at.instant, 0.5 * system.period(), system.period());
   image.q *= -1.0;
   image.qdot *= -1.0;
+  for (std::size_t i = opposite.size(); i < image.contacts.size(); ++i) {
+    if (at.contacts[i] == Contact::kForward) image.contacts[i] = Contact::kBackward;
+    if (at.contacts[i] == Contact::kBackward) image.contacts[i] = Contact::kForward;
+  }
+  for (double& place : image.places) place = -place;
   for (std::size_t i = 0; i < opposite.size(); ++i) {
     const auto other = static_cast<std::size_t>(opposite[i]);
     image.contacts[other] = at.contacts[i];

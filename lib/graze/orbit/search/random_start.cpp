@@ -35,14 +35,14 @@ State start_at(const System& system, std::span<const double> coordinates) {
   if (const PeriodicResponseAnswer answer = periodic_response(system, 1); answer.response)
     state = answer.response->forced_state(system.forcing()->phase);
   const double frequency = system.forcing()->frequency, length = motion_scale(system).length;
-  for (std::size_t i = 0; i < system.stops.size(); ++i) {
-    const Stop& stop = system.stops[i];
+  for (std::size_t i = 0; i < places_of_starts(system); ++i) {
+    const Vector& row = system.row(static_cast<int>(i));
     Vector shape(system.modes());
     // A free mass has no static compliance; the forcing's time scale replaces it.
     for (int j = 0; j < system.modes(); ++j)
       shape[j] =
-          stop.row[j] / std::max(system.omega[j] * system.omega[j], 1e-2 * frequency * frequency);
-    shape *= kStartReach * length / stop.row.dot(shape);
+          row[j] / std::max(system.omega[j] * system.omega[j], 1e-2 * frequency * frequency);
+    shape *= kStartReach * length / row.dot(shape);
     state.q += coordinates[2 * i] * shape;
     state.qdot += coordinates[2 * i + 1] * frequency * shape;
   }
@@ -55,7 +55,7 @@ State random_start(const System& system, std::uint64_t seed, std::uint64_t draw)
   // Neighbouring draws begin far apart (the golden ratio's bits).
   std::mt19937_64 engine(seed ^ (0x9E3779B97F4A7C15u * (draw + 1)));
   // Bits are converted to [-1, 1) by hand: the standard leaves the distributions' algorithms open.
-  std::vector<double> coordinates(2 * system.stops.size());
+  std::vector<double> coordinates(2 * places_of_starts(system));
   for (double& coordinate : coordinates)
     coordinate = static_cast<double>(engine() >> 11) * 0x1p-52 - 1.0;
   return start_at(system, coordinates);

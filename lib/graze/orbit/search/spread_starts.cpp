@@ -48,9 +48,9 @@ class Spread {
         most_work_(most_work),
         found_(found),
         scale_(motion_scale(system)),
-        numbers_(2 * system.stops.size()) {
+        numbers_(2 * places_of_starts(system)) {
     std::mt19937_64 engine(options.random_seed);
-    for (std::size_t i = 0; i < 2 * system.stops.size(); ++i) shift_.push_back(engine());
+    for (std::size_t i = 0; i < 2 * places_of_starts(system); ++i) shift_.push_back(engine());
     for (const Orbit& orbit : found.orbits)
       if (orbit.stable == true && orbit.admissible) known_.push_back(orbit);
   }
@@ -100,8 +100,11 @@ class Spread {
       settling.stop = options_.stop;
       result.motion = settle(system_, at, settling);
       result.work += result.motion.periods + result.motion.impacts_met;
-      if (result.motion.kind == SettledKind::kClear) result.fate = Fate::kClear;
-      if (result.motion.kind == SettledKind::kImpacts) result.fate = Fate::kSettled;
+      const bool clear = result.motion.kind == SettledKind::kClear;
+      if (clear) result.fate = Fate::kClear;
+      // With friction a motion that is clear of stops is an orbit to be solved for.
+      if (result.motion.kind == SettledKind::kImpacts || (clear && !system_.frictions.empty()))
+        result.fate = Fate::kSettled;
       for (std::size_t i = 0; i < known_.size() && result.fate != Fate::kClear; ++i)
         if (is_near(known_[i], result.motion.impacts)) {
           result.fate = Fate::kKnown;
@@ -202,7 +205,7 @@ class Spread {
 
 void add_settled_orbits(const System& system, const FinderOptions& options, long long most_work,
                         FoundOrbits& found) {
-  if (system.stops.size() > kMostStops) {
+  if (places_of_starts(system) > kMostStops) {
     found.notes.push_back(fmt::format(
         "with more than {} stops no motions from a spread of starts are followed", kMostStops));
     return;

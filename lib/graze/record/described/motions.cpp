@@ -25,6 +25,12 @@ void describe_final(ResultVisitor& v, const SimulationRecord& record) {
     v.values({"qdot", "kg^1/2 m/s"}, state.qdot);
     v.values({"stuck", "", "closed stops"}, run.stuck, [](int stop) { return stop + 1; });
     v.values({"forces", "N", "of each stop, closed or compressed; 0 where open"}, run.forces);
+    if (const auto some = v.where(!system.frictions.empty(), "with dry friction"))
+      v.list({"frictions", "", "of each"}, run.frictions,
+             [&](const AtFriction& friction, std::size_t) {
+               v.field({"sticks"}, friction.sticks);
+               v.field({"force", "N", "that it exerts against +u"}, friction.force);
+             });
     if (const auto own =
             v.where(coordinates.size() > 0, "of masses, or of matrices in the scene")) {
       const bool is_absent = coordinates.size() == 0;
@@ -42,7 +48,7 @@ void describe_final(ResultVisitor& v, const SimulationRecord& record) {
   });
 }
 
-void describe_totals(ResultVisitor& v, const RunTotals& totals) {
+void describe_totals(ResultVisitor& v, const RunTotals& totals, bool rubs) {
   v.part({"totals", "", "over the run"}, [&] {
     v.field({"impacts"}, totals.impacts);
     v.field({"chatters"}, totals.chatters);
@@ -55,6 +61,11 @@ void describe_totals(ResultVisitor& v, const RunTotals& totals) {
             totals.undecided_touches);
     v.field({"clamped_restitutions", "", "impacts at which r(v) was clamped"},
             totals.clamped_restitutions);
+    const auto some = v.where(rubs, "with dry friction");
+    if (!some) return;
+    v.field({"slips"}, totals.slips);
+    v.field({"reversals"}, totals.reversals);
+    v.field({"sticking_time", "s", "of all dry friction at once"}, totals.sticking_time);
   });
 }
 
@@ -62,8 +73,8 @@ void describe_energy(ResultVisitor& v, const System& system, const EnergyBalance
   const EnergyEntries entries = energy_entries(system, balance);
   v.part(
       {"energy", "J",
-       "start + forcing + load + constraint + stops + impacts + contact - dissipation - end = "
-       "defect; "
+       "start + forcing + load + constraint + stops + friction + impacts + contact - dissipation "
+       "- end = defect; "
        "null for effects that the scene does not have"},
       [&] {
         v.field({"start", "J"}, balance.start);
@@ -77,6 +88,8 @@ void describe_energy(ResultVisitor& v, const System& system, const EnergyBalance
         v.field({"relative_defect", "", "to the largest of them"}, relative_defect(balance));
         if (const auto some = v.where(entries.contact.has_value(), "with compliant stops"))
           v.field({"contact", "J", "their work, with the energy that they store"}, entries.contact);
+        if (const auto some = v.where(entries.friction.has_value(), "with dry friction"))
+          v.field({"friction", "J", "its work"}, entries.friction);
         if (const auto some = v.where(entries.stops.has_value(), "where stops move"))
           v.field({"stops", "J", "work of their motion"}, entries.stops);
       });
@@ -135,10 +148,14 @@ void describe(ResultVisitor& v, const Event& event) {
   const auto is = [&](auto... kinds) { return ((event.kind == kinds) || ...); };
   const bool impact = is(EventKind::kImpact), chatter = is(EventKind::kChatter);
   const bool parts = is(EventKind::kSeparation), meets = impact || is(EventKind::kContact);
-  v.field({"kind", "", "`impact`, `chatter`, `stick`, `release`, `contact`, `separation`"},
+  const bool rubs = event.stop < 0;
+  v.field({"kind", "",
+           "`impact`, `chatter`, `stick`, `release`, `contact`, `separation`; of dry friction "
+           "`slip`, `reversal`, `stick`"},
           name_of(event.kind));
   v.field({"time", "s"}, event.time);
-  v.field({"stop", "", "from 1"}, event.stop + 1);
+  if (const auto some = v.where(!rubs, "at a stop"))
+    v.field({"stop", "", "from 1"}, event.stop + 1);
   if (const auto some = v.where(meets || parts, "at impacts, contacts and separations"))
     v.field({"speed", "m/s", "of approach; of a separation away"}, event.speed);
   if (const auto some = v.where(meets, "at impacts and contacts"))
@@ -152,15 +169,19 @@ void describe(ResultVisitor& v, const Event& event) {
     v.field({"impacts"}, event.impacts);
     v.field({"closure_speed", "m/s"}, event.closure_speed);
   }
-  if (const auto some = v.where(is(EventKind::kStick), "where it sticks"))
-    v.field({"force", "N", "the initial contact force"}, event.force);
-  const auto some = v.where(parts, "at separations");
-  if (!some) return;
-  v.field({"duration", "s"}, event.duration);
-  v.field({"peak_force", "N"}, event.peak_force);
-  v.field({"effective_restitution", "",
-           "speed away over speed of approach, null where it was entered at rest"},
-          event.effective_restitution);
+  if (const auto some = v.where(is(EventKind::kStick, EventKind::kFrictionStick), "where it sticks"))
+    v.field({"force", "N", "that sets in: of contact; of friction against +u"}, event.force);
+  if (const auto some = v.where(parts, "at separations")) {
+    v.field({"duration", "s"}, event.duration);
+    v.field({"peak_force", "N"}, event.peak_force);
+    v.field({"effective_restitution", "",
+             "speed away over speed of approach, null where it was entered at rest"},
+            event.effective_restitution);
+  }
+  if (const auto some = v.where(rubs, "of dry friction"))
+    v.field({"friction", "", "from 1"}, event.friction + 1);
+  if (const auto some = v.where(is(EventKind::kSlip, EventKind::kReversal), "where friction slides"))
+    v.field({"direction", "", "1 along +u from then on, -1 against it"}, event.direction);
 }
 
 void describe(ResultVisitor& v, const std::vector<Event>& events) {
@@ -176,7 +197,7 @@ void describe(ResultVisitor& v, const SimulationRecord& record) {
   // They are not stored: they come during the run.
   v.only(Field::Use::kDocument, [&] { describe(v, std::vector<Event>()); });
   describe_final(v, record);
-  describe_totals(v, run.totals);
+  describe_totals(v, run.totals, !record.system.frictions.empty());
   if (run.energy) describe_energy(v, record.system, *run.energy);
   if (run.amplitudes) {
     describe_amplitudes(v, record.places, &*run.amplitudes);

@@ -98,7 +98,12 @@ std::string name_of(EventKind kind) {
     case EventKind::kChatter:
       return "chatter";
     case EventKind::kStick:
+    case EventKind::kFrictionStick:
       return "stick";
+    case EventKind::kSlip:
+      return "slip";
+    case EventKind::kReversal:
+      return "reversal";
     case EventKind::kContact:
       return "contact";
     case EventKind::kSeparation:

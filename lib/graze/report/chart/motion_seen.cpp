@@ -158,6 +158,8 @@ std::vector<EnergyTerm> energy_terms(const SamplesSeen& samples, const System& s
                             [](const EnergyBalance& balance) { return balance.work.constraint; }},
                            {"moving stops", kIndigo, has.stops.has_value(),
                             [](const EnergyBalance& balance) { return balance.work.stops; }},
+                           {"dry friction", kGrey, has.friction.has_value(),
+                            [](const EnergyBalance& balance) { return balance.work.friction; }},
                            {"damping", kGreen, has.dissipation.has_value(),
                             [](const EnergyBalance& balance) { return -balance.work.dissipation; }},
                            {"impacts", kVermillion, has.impacts.has_value(),

@@ -82,6 +82,7 @@ std::vector<std::string> sample_columns(const System& system, bool energy,
   add("qdot", modes);
   add("gap", system.stops.size());
   add("force", system.stops.size());
+  add("friction", system.frictions.size());
   if (energy)
     names.insert(names.end(), {"energy", "work_forcing", "work_load", "work_constraint",
                                "work_impacts", "dissipation", "work_contact"});
@@ -98,7 +99,7 @@ std::size_t sample_numbers(const System& system, const Sample& sample,
                            const std::vector<ProbeRow>& probes) {
   constexpr std::size_t kEnergies = 7;
   return 1 + 2 * static_cast<std::size_t>(sample.state.q.size()) + system.stops.size() +
-         sample.forces.size() + (sample.energy ? kEnergies : 0) + probes.size();
+         sample.forces.size() + sample.frictions.size() + (sample.energy ? kEnergies : 0) + probes.size();
 }
 
 double* write_sample_row(const System& system, const Sample& sample,
@@ -122,6 +123,7 @@ double* write_sample_row(const System& system, const Sample& sample,
   }
   for (const Stop& stop : system.stops) *row++ = stop.gap - stop.row.dot(sample.state.q);
   row = std::copy(sample.forces.begin(), sample.forces.end(), row);
+  row = std::copy(sample.frictions.begin(), sample.frictions.end(), row);
   if (sample.energy) {
     const EnergyEntries entries = energy_entries(system, *sample.energy);
     *row++ = sample.energy->now;

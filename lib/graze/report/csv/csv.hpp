@@ -20,7 +20,7 @@ std::string events_csv_header();
 std::string events_csv_row(const Event& event);
 // Writes the numbers of that row after its kind, NaN for missing values, from `row` on, which has
 // space for them.
-inline constexpr std::size_t kEventNumbers = 11;
+inline constexpr std::size_t kEventNumbers = 13;
 void write_event_row(const Event& event, double* row);
 ResultTable events_table(const std::vector<Event>& events);
 // With `energy` the entries of the energy balance follow, then the probes.

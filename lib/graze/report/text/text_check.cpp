@@ -302,6 +302,21 @@ std::string probe_text(const Scene& scene, const Probe& probe) {
                                                : " " + node_text(probe.node, probe.against, ""));
 }
 
+std::string friction_text(const Scene& scene, std::size_t k, const TextUnits& in) {
+  const DryFriction& friction = scene.frictions[k];
+  std::string text = fmt::format("{} {}, slides against {}",
+                                 scene.span() ? "at x =" : "at",
+                                 scene.span() ? in.quantity(friction.position, 6, "m")
+                                 : friction.node.empty() ? "the shape given"
+                                                         : friction.node,
+                                 in.quantity(friction.sliding(), 6, "N"));
+  if (friction.sticking() != friction.sliding())
+    text += ", sticks up to " + in.quantity(friction.sticking(), 6, "N");
+  if (friction.speed != 0.0)
+    text += ", from a belt at " + in.quantity(friction.speed, 6, "m/s");
+  return text;
+}
+
 std::string simulated_effects(const CheckRecord& record) {
   const Scene& scene = record.scene;
   const TextUnits in(scene.units);
@@ -320,6 +335,8 @@ std::string simulated_effects(const CheckRecord& record) {
     text += effect(
         fmt::format("stop {}", i + 1),
         stop_text(scene, numbered_path("stop", i + 1), scene.stops[i], record.system.stops[i]));
+  for (std::size_t i = 0; i < scene.frictions.size(); ++i)
+    text += effect(fmt::format("friction {}", i + 1), friction_text(scene, i, in));
   if (scene.stops.empty()) text += effect("stop", "none: no contact is looked for");
   for (std::size_t i = 0; i < scene.probes.size(); ++i)
     text += effect(fmt::format("probe {}", i + 1), probe_text(scene, scene.probes[i]));

@@ -17,12 +17,12 @@ std::vector<std::string> event_row(long long number, const Event& e) {
   const bool impact = e.kind == EventKind::kImpact, chatter = e.kind == EventKind::kChatter;
   const bool contact = e.kind == EventKind::kContact, parting = e.kind == EventKind::kSeparation;
   std::string force = "-";
-  if (e.kind == EventKind::kStick) force = digits_text(e.force, 6);
+  if (e.kind == EventKind::kStick || e.kind == EventKind::kFrictionStick) force = digits_text(e.force, 6);
   if (parting) force = digits_text(e.peak_force, 6);
   return {fmt::format("{}", number),
           name_of(e.kind),
           digits_text(e.time, 12),
-          fmt::format("{}", e.stop + 1),
+          e.stop < 0 ? fmt::format("friction {}", e.friction + 1) : fmt::format("{}", e.stop + 1),
           impact || contact || parting ? digits_text(e.speed, 9) : "-",
           (impact || contact) && e.phase ? decimals_text(*e.phase, 9) : "-",
           impact || chatter || parting ? power_text(e.energy_change, 4) : "-",
@@ -61,6 +61,7 @@ std::string energy_text(const System& system, const EnergyBalance& balance,
   add("+ work of moving stops", entries.stops);
   add("+ change at impacts", entries.impacts);
   add("+ work of compliant stops", entries.contact);
+  add("+ work of dry friction", entries.friction);
   add("- dissipation", entries.dissipation);
   add("= energy at the end", balance.now);
   return text + fmt::format("{:<24} {:>15}{}, {} of the largest entry\n", "missing",
@@ -82,6 +83,12 @@ std::string totals_text(const SimulationRecord& record) {
     add("stuck time", in.quantity(run.totals.stuck_time, 6, "s"));
     add("energy lost at impacts", in.quantity(run.totals.energy_lost, 6, "J"));
     add("energy added at impacts", in.quantity(run.totals.energy_added, 6, "J"));
+  }
+  if (!record.system.frictions.empty()) {
+    add("slips", std::to_string(run.totals.slips));
+    add("reversals", std::to_string(run.totals.reversals));
+    add(record.system.frictions.size() == 1 ? "sticking time" : "all stick for",
+        in.quantity(run.totals.sticking_time, 6, "s"));
   }
   if (run.totals.smallest_gap) add("smallest gap", in.quantity(*run.totals.smallest_gap, 6, "m"));
   for (const int stop : run.stuck)

@@ -10,6 +10,7 @@ namespace graze {
 // Of constant forces, of the forcing, and of the motion of a stop at the path `table`. They throw
 // InputError.
 void check_loads(const Scene& scene);
+void check_frictions(const Scene& scene);
 void check_forcing(const Scene& scene);
 void check_motion(const Scene& scene, const SceneStop& stop, const std::string& table);
 

@@ -25,6 +25,32 @@ void describe(auto& v, Of<PointLoad> auto& load, const Scene& scene) {
   v.number({"force", "N", kAny, "constant, along +u"}, load.force);
 }
 
+void describe(auto& v, Of<DryFriction> auto& friction, const Scene& scene) {
+  describe_load_point(v, friction, scene);
+  const char* unpressed = "it goes with coefficient, without it it must be left out";
+  v.number(Key{"force", "N", kNotNegative, "against sliding"}.needed(
+               "or `coefficient` and `normal_force`"),
+           friction.force);
+  v.number(Key{"coefficient", "", kNotNegative, "mu, in place of `force`"}.or_else("none").where(
+               !friction.force, "the force is given already, it must be left out"),
+           friction.coefficient);
+  const bool pressed = friction.coefficient.has_value();
+  v.number(Key{"normal_force", "N", kNotNegative, "that presses there"}
+               .needed("with `coefficient`")
+               .where(pressed, unpressed),
+           friction.normal_force);
+  v.number(Key{"static_force", "N", kNotNegative, "up to which it sticks, at least that of sliding"}
+               .or_else("`force`")
+               .where(!pressed, "it is static_coefficient of a coefficient, it must be left out"),
+           friction.static_force);
+  v.number(Key{"static_coefficient", "", kNotNegative, "likewise"}
+               .or_else("`coefficient`")
+               .where(pressed, unpressed),
+           friction.static_coefficient);
+  v.number(Key{"speed", "m/s", kAny, "along +u, of a belt that rubs there"}.or_else(),
+           friction.speed);
+}
+
 void describe(auto& v, Of<SignalSource> auto& signal, const Scene&) {
   const bool drawn = !signal.spectrum.empty();
   const char* of_file = "the signal is drawn from a spectrum, it must be left out";

@@ -345,6 +345,7 @@ void describe(auto& v, Of<Scene> auto& scene) {
   v.table({"gravity"}, scene.gravity);
   v.tables({"load"}, scene.loads);
   v.tables({"stop"}, scene.stops);
+  v.tables({"friction"}, scene.frictions);
   v.tables({"probe", Form::kHeader, false}, scene.probes);
   v.table({"initial", Form::kHeader, false}, scene.initial);
   v.table({"solver", Form::kHeader, false}, &scene.solver);

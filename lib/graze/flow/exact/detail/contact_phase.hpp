@@ -38,6 +38,9 @@ enum class ArrivalKind {
   kSeparation,  // the force of a compressed spring is gone
   kLeft,        // the surface of a stop whose force was gone before
   kJoint,       // a hub's joint with friction stands still, or is turned again
+  kStandstill,  // dry friction that slid is at rest, and not yet decided
+  kSlip,        // dry friction that stuck slides from now on
+  kReversal,    // dry friction slides the other way
   kUndecided,   // the search for an event used up its evaluations
   kNotFinite,   // the state left the range of the scalar
   kRefused      // the motion on the stop cannot be followed; see refusal()
@@ -54,7 +57,7 @@ struct Arrival {
   std::optional<Real> lowest{};
   // Separation: the force is gone below the surface of the stop, which is left later.
   bool below = false;
-  bool forward = false;  // joint: the torque that its friction held turns it forward
+  bool forward = false;  // joint, slip: what the friction held moves it forward
   // For a spring whose surface the structure was touching at rest: it is entered, or left, from the
   // start of the arc on, and certain for at least this long, s.
   Real sure = 0;
@@ -87,12 +90,16 @@ struct PhaseSprings {
 
 // What identifies a phase.
 struct PhaseKey {
-  std::vector<int> closed;  // indices of stops with linearly independent rows
+  std::vector<int> closed;  // indices of stops and frictions with linearly independent rows
   PhaseSprings springs{};
   Joint joint = Joint::kFree;  // of a hub with friction
   // Rigid stops beside springs, closed or open, whose contact force or gap leaves zero in a way
   // that no derivative shows.
   std::vector<int> untold{};
+  // Of every dry friction, kForward, kBackward or kClosed; of those among `closed` where they
+  // stick, row.q in m.
+  std::vector<Contact> frictions{};
+  std::vector<double> places{};
   auto operator<=>(const PhaseKey&) const = default;
 };
 

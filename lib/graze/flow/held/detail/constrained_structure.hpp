@@ -16,6 +16,9 @@
 // the first, z = unit cos(order theta), which nothing moves: z'' = -(order W)^2 z, and z and z'
 // press on the structure. So these forces are part of the free motion, whatever holds the structure
 // or damps it. So is a course over time, z'' = 0 along each of its lines.
+//
+// Dry friction that sticks holds b.q where it was, or with the speed of its belt: q = q_c + e s + U y
+// with B^T e = those speeds. Then |e| s is one more coordinate that nothing moves, s the time since.
 #pragma once
 
 #include <vector>
@@ -27,9 +30,11 @@ namespace graze {
 
 template <class Real>
 struct ConstrainedStructure {
-  // `constrained`: indices of stops with linearly independent rows; none: the structure is free,
-  // and the members that may be empty are.
-  ConstrainedStructure(const System& system, std::vector<int> constrained);
+  // `constrained`: indices of stops and frictions with linearly independent rows; none: the
+  // structure is free, and the members that may be empty are. `places`: of the frictions among
+  // them, m.
+  ConstrainedStructure(const System& system, std::vector<int> constrained,
+                       const std::vector<double>& places = {});
 
   bool is_free() const { return constrained.empty() && whole.harmonics.empty(); }
   Eigen::Index size() const { return reduced.omega.size(); }  // of y, m
@@ -84,7 +89,7 @@ struct ConstrainedStructure {
     return is_free() ? ydot : RealVector<Real>(basis * ydot);
   }
   // For every stop of the system that it was made from, on y: the gap, or the contact force where
-  // the stop holds.
+  // the stop holds; then for every friction: the speed of sliding, or the force where it sticks.
   std::vector<Observable<Real>> observables(const System& system) const;
   // The column of a stop that holds.
   Eigen::Index column_of(int stop) const;
@@ -102,12 +107,15 @@ struct ConstrainedStructure {
   bool has_real_modes = true;  // not under several harmonics
   bool is_normal = true;       // impulses act along the rows
   RealMatrix<Real> stretched;  // w U, as it was decomposed
+  RealVector<Real> drift;      // e, kg^1/2 m/s; empty where no belt drags what sticks to it
   Matrix left;                 // left inverse of U that is orthogonal to oblique directions
                                // (couple()); empty where there are none
   std::vector<Real> units;     // of the coordinates of harmonics, kg^1/2 m
 
  private:
-  void reduce(const System& system);
+  void reduce(const System& system, const std::vector<double>& places);
+  RealVector<Real> held_at(const System& system, const std::vector<double>& places) const;
+  Observable<Real> held_force(Eigen::Index column) const;
   RealVector<Real> balanced_load();
   friend CoupledSystem couple(ConstrainedStructure<double>& structure);
 };

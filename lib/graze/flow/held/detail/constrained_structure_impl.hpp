@@ -75,11 +75,12 @@ RealVector<Real> along_each(const RealMatrix<Real>& directions, const RealVector
 }  // namespace constrained_structure_detail
 
 template <class Real>
-ConstrainedStructure<Real>::ConstrainedStructure(const System& system, std::vector<int> list)
+ConstrainedStructure<Real>::ConstrainedStructure(const System& system, std::vector<int> list,
+                                                 const std::vector<double>& places)
     : constrained(std::move(list)), whole(linear_system<Real>(system)) {
   if (!constrained.empty()) {
-    reduce(system);
-    has_real_modes = has_real_modes && whole.harmonics.empty();
+    reduce(system, places);
+    has_real_modes = has_real_modes && whole.harmonics.empty() && drift.size() == 0;
     return;
   }
   reduced = whole;
@@ -93,7 +94,7 @@ ConstrainedStructure<Real>::ConstrainedStructure(const System& system, std::vect
 // the rows leave free, V the right singular vectors of w Q. The singular values are the
 // frequencies, with an error of eps times the largest one (of their squares it would be far worse).
 template <class Real>
-void ConstrainedStructure<Real>::reduce(const System& system) {
+void ConstrainedStructure<Real>::reduce(const System& system, const std::vector<double>& places) {
   using namespace constrained_structure_detail;
   using std::abs;
   rows = rows_of(system, constrained).template cast<Real>();
@@ -102,12 +103,14 @@ void ConstrainedStructure<Real>::reduce(const System& system) {
       product<Real>(rows, PivotedLu<Real>(transposed_product<Real>(directions, rows)).inverse());
   const Eigen::Index n = rows.rows(), k = rows.cols(), m = n - k;
   const RealMatrix<Real> all = orthonormal_columns<Real>(rows, n);
-  RealVector<Real> gaps(k);
+  // The shortest q with B^T q = a, and the slowest q' with B^T q' = the speeds of belts.
+  const PivotedLu<Real> crossed(transposed_product<Real>(rows, rows));
+  rest = image<Real>(rows, crossed.solve(held_at(system, places)));
+  RealVector<Real> speeds = RealVector<Real>::Zero(k);
   for (Eigen::Index i = 0; i < k; ++i)
-    gaps[i] =
-        Real(system.stops[static_cast<std::size_t>(constrained[static_cast<std::size_t>(i)])].gap);
-  // The shortest q with B^T q = a.
-  rest = image<Real>(rows, PivotedLu<Real>(transposed_product<Real>(rows, rows)).solve(gaps));
+    if (const int at = constrained[static_cast<std::size_t>(i)]; system.is_friction(at))
+      speeds[i] = Real(system.friction(at).speed);
+  if (!speeds.isZero(0)) drift = image<Real>(rows, crossed.solve(speeds));
   basis = all.rightCols(m);
   reduced.omega.resize(m);
   stretched.resize(n, m);
@@ -153,6 +156,20 @@ void ConstrainedStructure<Real>::reduce(const System& system) {
   reduced.load = balanced_load();
 }
 
+// a: the gaps of the stops and the places of the frictions, in the order of the rows.
+template <class Real>
+RealVector<Real> ConstrainedStructure<Real>::held_at(const System& system,
+                                                     const std::vector<double>& places) const {
+  RealVector<Real> at(rows.cols());
+  std::size_t next = 0;
+  for (Eigen::Index i = 0; i < at.size(); ++i) {
+    const int index = constrained[static_cast<std::size_t>(i)];
+    at[i] = Real(system.is_friction(index) ? places[next++]
+                                           : system.stops[static_cast<std::size_t>(index)].gap);
+  }
+  return at;
+}
+
 // Moves what is held to where its stiffness balances the load, so that nothing large has to cancel;
 // returns the load that is left to modes too soft for it.
 template <class Real>
@@ -174,34 +191,45 @@ Eigen::Index ConstrainedStructure<Real>::column_of(int stop) const {
   return std::find(constrained.begin(), constrained.end(), stop) - constrained.begin();
 }
 
+// The contact force at a stop or friction that holds, from all coordinates.
+template <class Real>
+Observable<Real> ConstrainedStructure<Real>::held_force(Eigen::Index column) const {
+  using constrained_structure_detail::along;
+  const RealVector<Real> share = shares.col(column);
+  const Real unit = Real(1) / rows.col(column).squaredNorm();
+  Observable<Real> force;
+  force.displacement = -unit * whole.omega.cwiseAbs2().cwiseProduct(share);
+  force.velocity = -2 * unit * whole.delta.cwiseProduct(share);
+  if (whole.coupling.size() > 0)
+    force.velocity -= unit * transposed_image<Real>(whole.coupling, share);
+  if (whole.load.size() > 0) force.constant = unit * along<Real>(share, whole.load);
+  if (whole.forced) force.harmonic.re = unit * along<Real>(share, whole.amplitude);
+  return force;
+}
+
 template <class Real>
 std::vector<Observable<Real>> ConstrainedStructure<Real>::observables(const System& system) const {
   using constrained_structure_detail::along, constrained_structure_detail::along_each;
   std::vector<Observable<Real>> list;
-  for (std::size_t i = 0; i < system.stops.size(); ++i) {
-    const RealVector<Real> row = system.stops[i].row.template cast<Real>();
-    const Eigen::Index column = column_of(static_cast<int>(i));
+  const auto count = static_cast<int>(system.stops.size() + system.frictions.size());
+  for (int i = 0; i < count; ++i) {
+    const RealVector<Real> row = system.row(i).template cast<Real>();
+    const Eigen::Index column = column_of(i);
+    const bool holds = column < static_cast<Eigen::Index>(constrained.size());
     Observable<Real> seen;
-    const bool is_gap = column == static_cast<Eigen::Index>(constrained.size());
-    if (is_gap) {
-      seen = gap_observable<Real>(row, Real(system.stops[i].gap));
-    } else {
-      const RealVector<Real> share = shares.col(column);
-      const Real unit = Real(1) / row.squaredNorm();
-      seen.displacement = -unit * whole.omega.cwiseAbs2().cwiseProduct(share);
-      seen.velocity = -2 * unit * whole.delta.cwiseProduct(share);
-      if (whole.coupling.size() > 0)
-        seen.velocity -= unit * transposed_image<Real>(whole.coupling, share);
-      if (whole.load.size() > 0) seen.constant = unit * along<Real>(share, whole.load);
-      if (whole.forced) seen.harmonic.re = unit * along<Real>(share, whole.amplitude);
-    }
+    if (holds)
+      seen = held_force(column);
+    else if (system.is_friction(i))
+      seen = {-Real(system.friction(i).speed), RealVector<Real>::Zero(row.size()), row, {}};
+    else
+      seen = gap_observable<Real>(row, Real(system.stops[static_cast<std::size_t>(i)].gap));
     if (!is_free()) {
       seen.constant += seen.displacement.dot(rest);
-      seen.displacement = is_gap ? along_each<Real>(basis, seen.displacement)
-                                 : transposed_image<Real>(basis, seen.displacement);
+      seen.displacement = holds ? transposed_image<Real>(basis, seen.displacement)
+                                : along_each<Real>(basis, seen.displacement);
       if (seen.velocity.size() > 0) seen.velocity = transposed_image<Real>(basis, seen.velocity);
     }
-    for (std::size_t k = 0; k < whole.harmonics.size() && !is_gap; ++k) {
+    for (std::size_t k = 0; k < whole.harmonics.size() && holds; ++k) {
       const Harmonic& one = whole.harmonics[k];
       const Real unit = row.squaredNorm() * units[k];
       seen.displacement[drive(k)] +=

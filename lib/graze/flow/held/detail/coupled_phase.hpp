@@ -22,8 +22,8 @@ class CoupledPhase : public ExactPhase<double> {
   const CoupledArc* coupled_arc() const override { return &arc_; }
 
  protected:
-  // With given observables of every stop, instead of the structure's own.
-  CoupledPhase(PhaseKey key, ConstrainedStructure<double> structure,
+  // With given observables of every stop and friction, instead of the structure's own.
+  CoupledPhase(const System& system, PhaseKey key, ConstrainedStructure<double> structure,
                std::vector<Observable<double>> observables, const CoupledSystem& equations);
   const CoupledFlow& flow() const { return flow_; }
   CoupledArc& coupled_motion() { return arc_; }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "graze/flow/exact/detail/contact_phase.hpp"
+#include "graze/flow/exact/detail/first_zero.hpp"
 #include "graze/flow/held/detail/constrained_structure.hpp"
 #include "graze/flow/held/detail/coupled_flow.hpp"
 #include "graze/flow/held/detail/flight_search.hpp"
@@ -17,14 +18,14 @@ class ExactPhase : public ContactPhase<Real> {
   using ContactPhase<Real>::start;
   // `structure` is that of the closed stops of the key.
   ExactPhase(const System& system, PhaseKey key, ConstrainedStructure<Real> structure);
-  // With given observables of every stop, instead of the structure's own.
-  ExactPhase(PhaseKey key, ConstrainedStructure<Real> structure,
+  // With given observables of every stop and friction, instead of the structure's own.
+  ExactPhase(const System& system, PhaseKey key, ConstrainedStructure<Real> structure,
              std::vector<Observable<Real>> observables);
 
   const ConstrainedStructure<Real>& structure() const { return structure_; }
   const std::vector<Observable<Real>>& observables() const { return observables_; }
-  // The gap of an open stop along the arc, for `window` seconds; `from_zero`: it starts on the
-  // stop. The reference is valid until the arc ends, or the gap is asked for with another window.
+  // The gap of an open stop along the arc, or how fast dry friction slides, for `window` seconds;
+  // `from_zero`: it starts on the stop, or at rest. The reference is valid until the arc ends, or the gap is asked for with another window.
   const ArcCurve<Real>& gap(int stop, const Real& window, bool from_zero) const;
   // The contact force of a closed stop, N (in units of the modal mass); any observable of the
   // structure's coordinates y and y'.
@@ -50,6 +51,12 @@ class ExactPhase : public ContactPhase<Real> {
   void forget_curves();
 
  private:
+  struct Slip {
+    FirstZero<Real> zero;
+    bool forward = false;
+  };
+  // The first slip of a friction that sticks.
+  Slip first_slip(int friction, const Real& window, const Flight<Real>* flight) const;
   // Sets the curve to that of this observable; returns whether its terms do not depend on the
   // window.
   virtual bool set_curve(ArcCurve<Real>& curve, const Observable<Real>& observable,
@@ -57,7 +64,10 @@ class ExactPhase : public ContactPhase<Real> {
   virtual Real start_phase() const = 0;
 
   ConstrainedStructure<Real> structure_;
-  std::vector<Observable<Real>> observables_;  // of every stop: gap, or contact force where closed
+  // Of every stop, the gap, or the contact force where closed; of every friction how fast it slides,
+  // or the force where it sticks, and its limit, N.
+  std::vector<Observable<Real>> observables_;
+  std::vector<Real> limits_;
   struct KeptCurve {
     bool known = false, from_zero = false;
     ArcCurve<Real> curve;

@@ -13,15 +13,26 @@ namespace graze {
 template <class Real>
 ExactPhase<Real>::ExactPhase(const System& system, PhaseKey key,
                              ConstrainedStructure<Real> structure)
-    : ExactPhase(std::move(key), structure, structure.observables(system)) {}
+    : ExactPhase(system, std::move(key), structure, structure.observables(system)) {}
 
 template <class Real>
-ExactPhase<Real>::ExactPhase(PhaseKey key, ConstrainedStructure<Real> structure,
+ExactPhase<Real>::ExactPhase(const System& system, PhaseKey key,
+                             ConstrainedStructure<Real> structure,
                              std::vector<Observable<Real>> observables)
     : ContactPhase<Real>(std::move(key)),
       structure_(std::move(structure)),
       observables_(std::move(observables)),
-      kept_(observables_.size()) {}
+      limits_(system.frictions.size()),
+      kept_(observables_.size()) {
+  for (std::size_t k = 0; k < limits_.size(); ++k) {
+    limits_[k] = Real(system.frictions[k].sticking);
+    if (this->key().frictions.empty() || this->key().frictions[k] != Contact::kBackward) continue;
+    Observable<Real>& speed = observables_[system.stops.size() + k];
+    speed.constant = -speed.constant;
+    speed.displacement = -speed.displacement;
+    speed.velocity = -speed.velocity;
+  }
+}
 
 template <class Real>
 void ExactPhase<Real>::forget_curves() {
@@ -58,9 +69,12 @@ Arrival<Real> ExactPhase<Real>::first_event(const MotionState<Real>& now,
     const Contact at = now.contacts[static_cast<std::size_t>(i)];
     if (at == Contact::kLocked || at == Contact::kCompressed || at == Contact::kParted) continue;
     const bool is_closed = at == Contact::kClosed;
+    const bool rubs = static_cast<std::size_t>(i) >= observables_.size() - limits_.size();
     const int multiplicity = now.multiplicities[static_cast<std::size_t>(i)];
+    const Slip slip = is_closed && rubs ? first_slip(i, arrival.flight, &flight) : Slip{};
     const FirstZero<Real> zero =
-        is_closed ? first_release(force(i, arrival.flight), flight.stop, flight.sure_of(i))
+        is_closed ? (rubs ? slip.zero
+                          : first_release(force(i, arrival.flight), flight.stop, flight.sure_of(i)))
                   : first_contact(gap(i, arrival.flight, multiplicity > 0), multiplicity,
                                   flight.sure_of(i), flight.stop);
     arrival.evaluations += zero.evaluations;
@@ -69,12 +83,43 @@ Arrival<Real> ExactPhase<Real>::first_event(const MotionState<Real>& now,
     arrival.flight = zero.s;
     arrival.kind = zero.kind == ZeroKind::kBudget      ? ArrivalKind::kUndecided
                    : zero.kind == ZeroKind::kNotFinite ? ArrivalKind::kNotFinite
+                   : rubs && is_closed                 ? ArrivalKind::kSlip
+                   : rubs                              ? ArrivalKind::kStandstill
                    : zero.kind == ZeroKind::kBlocked   ? ArrivalKind::kTouch
                    : is_closed                         ? ArrivalKind::kRelease
                                                        : ArrivalKind::kContact;
+    arrival.forward = slip.forward;
     if (arrival.kind == ArrivalKind::kNotFinite) break;
   }
   return arrival;
+}
+
+// Friction lets go forwards where what the structure exerts on it exceeds the limit, and backwards.
+template <class Real>
+typename ExactPhase<Real>::Slip ExactPhase<Real>::first_slip(int friction, const Real& window,
+                                                             const Flight<Real>* flight) const {
+  const StopSignal never;
+  const auto place = static_cast<std::size_t>(friction);
+  const Real limit = limits_[place - (observables_.size() - limits_.size())];
+  Slip first;
+  Real until = window;
+  long long evaluations = 0;
+  for (const bool forward : {true, false}) {
+    Observable<Real> left = observables_[place];
+    const Real sign = forward ? Real(-1) : Real(1);
+    left.constant = limit + sign * left.constant;
+    left.displacement *= sign;
+    left.velocity *= sign;
+    left.harmonic = {sign * left.harmonic.re, sign * left.harmonic.im};
+    const FirstZero<Real> zero = first_release(curve(left, until), flight ? flight->stop : never);
+    evaluations += zero.evaluations;
+    if (zero.kind == ZeroKind::kNone) continue;
+    first = {zero, forward};
+    if (zero.kind != ZeroKind::kCrossing && zero.kind != ZeroKind::kTouch) break;
+    until = zero.s;
+  }
+  first.zero.evaluations = static_cast<int>(evaluations);
+  return first;
 }
 
 template <class Real>
@@ -90,9 +135,11 @@ CurvePoint<Real> ExactPhase<Real>::outlook(int stop, int order, const Real& ahea
 
 template <class Real>
 bool ExactPhase<Real>::stays_quiet(int stop, const Real& duration) const {
-  const FirstZero<Real> zero = structure_.holds(stop)
-                                   ? first_release(force(stop, duration))
-                                   : first_contact(gap(stop, duration, false), 0);
+  const bool rubs = static_cast<std::size_t>(stop) >= observables_.size() - limits_.size();
+  const FirstZero<Real> zero = !structure_.holds(stop)
+                                   ? first_contact(gap(stop, duration, false), 0)
+                               : rubs ? first_slip(stop, duration, nullptr).zero
+                                      : first_release(force(stop, duration));
   return zero.kind == ZeroKind::kNone;
 }
 
@@ -116,7 +163,7 @@ FreePhase<Real>::FreePhase(const System& system, PhaseKey key)
       flow_(this->structure().reduced),
       arc_(flow_) {
   if constexpr (std::is_same_v<Real, double>)
-    if (flow_.modes() > kFewModes)
+    if (flow_.modes() > kFewModes && system.frictions.empty())
       search_ = std::make_unique<FlightSearch>(system, this->structure().reduced);
 }
 

@@ -35,6 +35,16 @@ Deviations growth(const ExactPhase<double>& phase, double s, const Deviations& s
 // is (q', q'').
 void move_instant(Deviations& deviations, const State& rate, const Eigen::RowVectorXd& shift);
 
+// The same under everything that holds the structure, friction that sticks included, which keeps
+// what it has of a deviation along its row: in all coordinates, for any stops and frictions
+// `closed`, from forcing phase theta. `springs`: stops whose linear springs are compressed.
+Deviations held_growth(const System& system, const std::vector<int>& closed,
+                       const std::vector<int>& springs, double theta, double s,
+                       const Deviations& start);
+
+// The force of dry friction that slides, on the modes; empty where there is none.
+Vector friction_push(const System& system, const std::vector<Contact>& frictions);
+
 // (q', q'') at forcing phase theta while the stops `closed` (with independent rows) hold. `push`: a
 // further acceleration, as by springs; empty where there is none.
 State held_rate(const System& system, const std::vector<int>& closed, const State& state,
@@ -43,8 +53,17 @@ State held_rate(const System& system, const std::vector<int>& closed, const Stat
 // The part of an acceleration that closed stops allow: P a = a - D (B^T D)^-1 B^T a.
 Vector held(const System& system, const std::vector<int>& closed, const Vector& acceleration);
 
+// How the force of a friction that sticks, N, changes with the state, with a delay of the forcing, and
+// in time along a motion of this rate.
+struct ForceChange {
+  Vector by_q, by_qdot;
+  double by_delay = 0.0, rate = 0.0;
+};
+ForceChange force_change(const System& system, const PhaseKey& key, int friction, double theta,
+                         const State& rate);
+
 // Removes the parts of deviations that closed stops do not allow: displacements along the rows,
-// which are rounding, and velocities along the directions of the contact forces, which the contact
+// which are rounding (where friction sticks they are kept), and velocities along the directions of the contact forces, which the contact
 // absorbs when it closes.
 void hold(const System& system, const std::vector<int>& closed, Deviations& deviations);
 

@@ -29,6 +29,7 @@ class CarriedDeviations {
       : system_(system), motion_(motion), deviations_(deviations), parameter_(parameter) {}
 
   bool any() const { return deviations_ || parameter_; }
+  bool by_parameter() const { return parameter_; }
 
   // Carries them along the flight just flown; at a contact, to the deviated motion's own contact.
   void carry(const Arrival<double>& arrival);
@@ -49,18 +50,25 @@ class CarriedDeviations {
   // Derivative of the speed of an impact, from the deviations at the contact.
   double speed_rate(const SegmentDirection& along, int stop, const State& before) const;
 
+  // Stops, and friction that sticks.
   std::vector<int> closed_now() const;
+  // The rate of the motion, held so, without the spring at stop `without`.
+  State rate_now(const std::vector<int>& closed, int without = -1) const;
 
  private:
   const Stop& stop(int i) const { return system_.stops[static_cast<std::size_t>(i)]; }
   State state_now() const { return {motion_.q(), motion_.qdot()}; }
-  State rate_now(const std::vector<int>& closed, int without = -1) const;
+  State rate_now(const std::vector<int>& closed, const std::vector<Contact>& frictions,
+                 int without = -1) const;
+  // Where the flight just flown ended.
+  State rate_flown() const;
+  void stand(int friction);
+  void slip(int friction);
   bool departed_from(int stop) const;
   Deviations change_along(double flight, const std::vector<int>& closed);
   void carry_parameter(const Arrival<double>& arrival, const std::vector<int>& closed);
-  // `reach`: b.dq at the undeviated contact.
-  void meet(const Arrival<double>& arrival, const Eigen::RowVectorXd& reach,
-            const std::vector<int>& closed);
+  // `reach`: b.dq at the undeviated contact; `at_once`: without a flight.
+  void meet(const Arrival<double>& arrival, const Eigen::RowVectorXd& reach, bool at_once);
   void undo(const std::vector<int>& stops, const Vector& parts, Matrix& columns) const;
 
   const System& system_;

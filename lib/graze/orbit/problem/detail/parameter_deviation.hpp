@@ -42,6 +42,11 @@ class ParameterDeviation {
   // To a contact at the same instant: thrown back onto a stop without any flight.
   void meet_at_once(int stop, const State& at, const State& rate, double v);
   void jump(const std::vector<ImpactShare<double>>& shares, const Vector& qdot_before);
+  // From where a friction of the undisturbed motion stands still, or slips under less force than it
+  // stuck with, to its own.
+  void stand(int friction, const State& at, const State& rate);
+  void slip(const PhaseKey& key, int friction, bool forward, const State& at, double theta,
+            const State& rate);
   // The structure is put to rest on these stops, at the end of a chatter that was summed.
   void close(const std::vector<int>& stops, const State& before);
   // Refers the deviation to the undisturbed instant.

@@ -1,0 +1,181 @@
+// Dry friction against closed forms, and against an integration of its own in long double.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "graze/contact/detail/impulse.hpp"
+#include "graze/motion/simulation.hpp"
+#include "support/friction_reference.hpp"
+#include "support/systems.hpp"
+
+namespace graze {
+namespace {
+
+Friction friction(const Vector& row, double sliding, double sticking, double speed = 0.0) {
+  return {row, momentum_direction(row), sliding, sticking, speed};
+}
+
+System sliding_oscillator(double omega, double sliding, double sticking, double speed = 0.0) {
+  System system{Vector::Constant(1, omega), NaturalModes{Vector::Zero(1)}, {}};
+  system.frictions.push_back(friction(Vector::Ones(1), sliding, sticking, speed));
+  return system;
+}
+
+SimulationOptions with_energy(double duration) {
+  SimulationOptions options = support::for_seconds(duration);
+  options.energy = true;
+  return options;
+}
+
+// x'' + w^2 x = -+F: the amplitude falls by 2 F/w^2 each half period pi/w, until w^2 |x| <= F.
+TEST(Friction, TakesTheSameFromEachSwing) {
+  for (const double force : {0.3, 0.07, 0.9}) {
+    const double w = 2.0;
+    const auto run = support::record_run(sliding_oscillator(w, force, force),
+                                         support::state_of({1.0}, {0.0}), with_energy(120.0));
+    double amplitude = 1.0;
+    std::size_t swings = 0;
+    while (w * w * amplitude > force) {
+      amplitude = std::abs(amplitude - 2.0 * force / (w * w));
+      ++swings;
+    }
+    ASSERT_EQ(run.events.size(), swings) << force;
+    for (std::size_t k = 0; k < swings; ++k) {
+      EXPECT_NEAR(run.events[k].time, std::numbers::pi / w * static_cast<double>(k + 1), 1e-12);
+      EXPECT_EQ(run.events[k].kind,
+                k + 1 < swings ? EventKind::kReversal : EventKind::kFrictionStick);
+    }
+    EXPECT_NEAR(std::abs(run.result.final.q[0]), amplitude, 1e-12);
+    EXPECT_EQ(run.result.final.qdot[0], 0.0);
+    EXPECT_LE(std::abs(run.result.energy->defect()), 1e-12);
+  }
+}
+
+// A mass on a belt at speed V, held by a spring: it sticks up to the static force S, and slides
+// against F. In sliding it swings about F/k with V in velocity; the period is that of the slip,
+// (pi + 2 atan((S - F)/(m w V))) 2... and of the way that the belt then carries it.
+TEST(Friction, StickSlipOnABeltHasItsPeriod) {
+  for (const auto& [s, f, v, w] : {std::array{1.0, 0.5, 0.2, 1.0}, std::array{3.0, 2.2, 0.7, 2.5},
+                                   std::array{0.4, 0.1, 1.3, 0.6}}) {
+    const auto run = support::record_run(sliding_oscillator(w, f, s, v),
+                                         support::state_of({0.0}, {v}), with_energy(400.0 / w));
+    std::vector<double> slips;
+    for (const Event& event : run.events)
+      if (event.kind == EventKind::kSlip) slips.push_back(event.time);
+    ASSERT_GE(slips.size(), 6u);
+    const double slip = 2.0 / w * (std::numbers::pi - std::atan((s - f) / (w * v)));
+    const double stick = 2.0 * (s - f) / (w * w * v);
+    for (std::size_t k = 2; k < slips.size(); ++k)
+      EXPECT_NEAR(slips[k] - slips[k - 1], slip + stick, 1e-10 * (slip + stick)) << w << " " << k;
+    EXPECT_LE(std::abs(run.result.energy->defect()), 1e-12 * run.result.energy->size());
+  }
+}
+
+// Friction between two masses that move freely: they have one speed once the faster has slowed down.
+TEST(Friction, BetweenTwoMassesIsInternal) {
+  System system{Vector::Zero(2), NaturalModes{Vector::Zero(2)}, {}};
+  const double m1 = 2.0, m2 = 0.5, force = 0.3, v = 1.7;
+  Vector row(2);
+  row << 1.0 / std::sqrt(m1), -1.0 / std::sqrt(m2);
+  system.frictions.push_back(friction(row, force, force));
+  const auto run = support::record_run(system, support::state_of({0.0, 0.0}, {v * std::sqrt(m1), 0.0}),
+                                       with_energy(10.0));
+  ASSERT_EQ(run.events.size(), 1u);
+  EXPECT_EQ(run.events[0].kind, EventKind::kFrictionStick);
+  EXPECT_NEAR(run.events[0].time, v / (force / m1 + force / m2), 1e-14);
+  const double common = m1 * v / (m1 + m2);
+  EXPECT_NEAR(run.result.final.qdot[0] / std::sqrt(m1), common, 1e-15);
+  EXPECT_NEAR(run.result.final.qdot[1] / std::sqrt(m2), common, 1e-15);
+}
+
+System random_system(support::Dice& dice) {
+  const int modes = 1 + dice.pick(3);
+  System system{dice.vector(modes, 0.4, 4.0), NaturalModes{Vector::Zero(modes)}, {}};
+  // Undamped, a mass on a belt comes back to its speed as a tangent, within rounding.
+  const bool belts = dice.pick(3) == 0;
+  if (belts || dice.pick(2)) system.modal().delta = dice.uniform(0.01, 0.2) * system.omega;
+  if (dice.pick(4)) {
+    system.modal().forcing = HarmonicForcing{dice.uniform(0.3, 3.0), dice.uniform(0.0, 6.0),
+                                             dice.vector(modes, -1.5, 1.5)};
+  }
+  if (dice.pick(3) == 0) system.modal().load = dice.vector(modes, -0.5, 0.5);
+  const int frictions = 1 + dice.pick(modes);
+  for (int k = 0; k < frictions; ++k) {
+    const double sliding = dice.uniform(0.05, 0.8);
+    system.frictions.push_back(
+        friction(dice.vector(modes, -1.0, 1.0), sliding,
+                 // Of several the one that slips first decides for the others, whichever that is.
+                 dice.pick(2) || frictions > 1 ? sliding : sliding * dice.uniform(1.0, 1.6),
+                 belts ? dice.uniform(-0.4, 0.4) : 0.0));
+  }
+  for (int k = dice.pick(3); k > 0; --k) {
+    const Vector row = dice.vector(modes, -1.0, 1.0);
+    system.stops.push_back(
+        {row, dice.uniform(0.3, 1.2), ImpactLaw{momentum_direction(row), dice.uniform(0.3, 1.0)}});
+  }
+  return system;
+}
+
+// Events before a time; those of one instant in the order of their places.
+std::vector<support::FrictionReference::Happened> in_order(
+    std::vector<support::FrictionReference::Happened> events, double last) {
+  std::erase_if(events, [&](const auto& event) { return !(event.time < last); });
+  for (auto from = events.begin(); from != events.end();) {
+    const auto to = std::find_if(from, events.end(), [&](const auto& event) {
+      return event.time - from->time > 1e-9;
+    });
+    std::stable_sort(from, to, [](const auto& a, const auto& b) {
+      return std::pair(a.kind != EventKind::kImpact, a.index) <
+             std::pair(b.kind != EventKind::kImpact, b.index);
+    });
+    from = to;
+  }
+  return events;
+}
+
+// The first event that is not alike; empty where there is none.
+std::string difference(const System& system, const State& start, double end) {
+  support::FrictionReference reference(system, start);
+  const auto& wanted = reference.run(static_cast<long double>(end));
+  const auto run = support::record_run(system, start, with_energy(reference.time()));
+  if (run.result.outcome != RunOutcome::kReachedEnd) return run.result.message;
+  if (!(std::abs(run.result.energy->defect()) <= 1e-10 * (1.0 + run.result.energy->size())))
+    return "energy " + std::to_string(run.result.energy->defect());
+  const double last = reference.crowded() ? reference.time() - 1e-3 : reference.time() - 1e-9;
+  using Happened = support::FrictionReference::Happened;
+  std::vector<Happened> got;
+  for (const Event& event : run.events)
+    got.push_back({event.time, event.kind, event.stop < 0 ? event.friction : event.stop});
+  const std::vector<Happened> want = in_order(wanted, last), have = in_order(got, last);
+  for (std::size_t i = 0; i < std::min(want.size(), have.size()); ++i)
+    if (have[i].kind != want[i].kind || have[i].index != want[i].index ||
+        std::abs(have[i].time - want[i].time) > 1e-10)
+      return fmt::format("{} of {} at {:.12f}, not {} of {} at {:.12f}",
+                         static_cast<int>(have[i].kind), have[i].index, have[i].time,
+                         static_cast<int>(want[i].kind), want[i].index, want[i].time);
+  if (want.size() != have.size())
+    return fmt::format("{} events, not {}", have.size(), want.size());
+  if (!reference.crowded() &&
+      (run.result.final.q - reference.q().cast<double>()).norm() > 1e-10)
+    return "another end";
+  return "";
+}
+
+TEST(Friction, MovesAsIntegratedInLongDouble) {
+  const char* asked = std::getenv("GRAZE_CASES");
+  const int cases = asked ? std::atoi(asked) : 60;
+  for (int i = 0; i < cases; ++i) {
+    support::Dice dice(static_cast<std::uint64_t>(i) + 7000);
+    const System system = random_system(dice);
+    const State start{Vector::Zero(system.modes()), dice.vector(system.modes(), -1.0, 1.0)};
+    const std::string found = difference(system, start, 30.0);
+    EXPECT_EQ(found, "") << "case " << i;
+  }
+}
+
+}  // namespace
+}  // namespace graze
