@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "graze/bifurcation/cut/detail/grazing_search.hpp"
+#include "graze/bifurcation/cut/detail/sliding_order.hpp"
 #include "graze/continuation/branch/detail/locate.hpp"
 
 namespace graze {
@@ -62,7 +63,7 @@ void ContactBoundaries::pass(const JudgedPoint& a, const JudgedPoint& b,
                              std::vector<BranchPlace>& places) {
   const std::vector<int> before = stops_of(a.place), after = stops_of(b.place);
   const std::optional<int> stop = stop_of_difference(before, after);
-  if (!stop) return;
+  if (!stop) return pass_sliding(a, b, places);
   const bool born = before.size() < after.size();
   if (auto grazing = find_grazing_between(equations_, options_, a.point, b.point, *stop)) {
     grazing->at.bracket =
@@ -81,6 +82,46 @@ void ContactBoundaries::pass(const JudgedPoint& a, const JudgedPoint& b,
                                                 : boundary(a.point, {}, approach));
   }
   places.back().begins = true;
+}
+
+// By the parameter alone, where the branch has a corner that steps along it do not pass. The side on
+// which the test is positive is told.
+std::optional<SolutionPoint> ContactBoundaries::halved(
+    SolutionPoint low, SolutionPoint high,
+    const std::function<double(const SolutionPoint&)>& test) const {
+  const bool rises = test(high) > 0.0;
+  if (rises == (test(low) > 0.0)) return {};
+  while (true) {
+    const double middle = low.parameter + 0.5 * (high.parameter - low.parameter);
+    if (middle == low.parameter || middle == high.parameter) break;
+    const std::optional<SolutionPoint> there =
+        solve_at(equations_.problem(), options_, 0.5 * (low.u + high.u), middle);
+    if (!there) break;
+    ((test(*there) > 0.0) == rises ? high : low) = *there;
+  }
+  SolutionPoint found = rises ? high : low;
+  found.bracket = bracket_around({low.parameter, high.parameter}, true);
+  return found;
+}
+
+// Only the order of events tells the sides apart, so that the place is found by halving.
+void ContactBoundaries::pass_sliding(const JudgedPoint& a, const JudgedPoint& b,
+                                     std::vector<BranchPlace>& places) const {
+  const Orbit &before = a.place.at.orbit, &after = b.place.at.orbit;
+  if (!a.place.listed || !b.place.listed || has_same_sliding(before, after)) return;
+  const bool gains = after.rubbing.size() >= before.rubbing.size();
+  const auto test = [&](const SolutionPoint& point) {
+    const std::optional<OrbitBranchPoint> at = equations_.judge(point);
+    return at && has_same_sliding(at->orbit, before) == gains ? -1.0 : 1.0;
+  };
+  std::optional<SolutionPoint> at = locate(equations_.problem(), options_, a.point, b.point, test);
+  if (!at) at = halved(a.point, b.point, test);
+  std::optional<OrbitBranchPoint> orbit = at ? equations_.judge(*at) : std::nullopt;
+  if (!orbit) return;
+  BranchPlace place;
+  place.at = std::move(*orbit);
+  place.special = SpecialPoint{kind_of_change(place.at.orbit), "", place.at, {}, false, *at};
+  places.push_back(std::move(place));
 }
 
 // Distance of an orbit from a grazing: proportional to the distance along the branch is its

@@ -35,6 +35,10 @@ std::optional<OrbitLocusKind> locus_kind(SpecialKind kind) {
       return OrbitLocusKind::kExtreme;
     case SpecialKind::kBranchPoint:
     case SpecialKind::kLiftOff:
+    case SpecialKind::kGrazingSliding:
+    case SpecialKind::kCrossingSliding:
+    case SpecialKind::kSwitchingSliding:
+    case SpecialKind::kAddingSliding:
       break;
   }
   return {};

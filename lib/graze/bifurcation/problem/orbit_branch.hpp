@@ -23,6 +23,11 @@ enum class SpecialKind {
                       // begins to stick
   kChatterCompletes,  // CH: a chatter completes at the instant of its release
   kLiftOff,           // LO: the contact force of a structure at rest on a stop touches zero
+  // Of dry friction:
+  kGrazingSliding,    // GS: the speed of sliding touches zero, and a rest begins
+  kCrossingSliding,   // CS: a reversal becomes a rest
+  kSwitchingSliding,  // SS: a rest ends towards the other side
+  kAddingSliding,     // AS: a slip begins within a rest
   kLevel,             // UZ: a number of the orbit takes a value (OrbitLevel)
   kExtreme            // EX: it is largest or smallest along the branch
 };

@@ -55,16 +55,16 @@ double reach_of(const std::vector<PassedContact>& some, const std::vector<Passed
 
 bool is_smooth(const Stop& stop) { return stop.is_compliant() && stop.force().sets_in_smoothly(); }
 
-// The forcing phase, rad, farthest from the beginnings and ends of contacts; with `jumps` only of
-// those at which the derivative jumps. Returns nullopt when there are none, or when theta is at
+// The forcing phase, rad, farthest from the beginnings and ends of contacts and from what friction
+// does; with `jumps` only of those at which the derivative jumps. Returns nullopt when there are none, or when theta is at
 // least a part of that far from them.
-std::optional<double> section_clear_of(const System& system,
-                                       const std::vector<OrbitImpact>& impacts, double theta,
+std::optional<double> section_clear_of(const System& system, const Orbit& orbit, double theta,
                                        bool jumps) {
   // Far enough for a step, near enough for few moves.
   constexpr double kPart = 0.25;
   std::vector<double> phases;
-  for (const OrbitImpact& impact : impacts) {
+  for (const OrbitRubbing& event : orbit.rubbing) phases.push_back(event.at.phase);
+  for (const OrbitImpact& impact : orbit.impacts) {
     const Stop& stop = system.stops[static_cast<std::size_t>(impact.stop)];
     if (jumps && is_smooth(stop)) continue;
     phases.push_back(impact.phase);
@@ -281,10 +281,11 @@ bool SegmentEquations::sets_in_smoothly(const SolutionPoint& solution, int stop)
 
 std::optional<double> SegmentEquations::clearer_section(const SolutionPoint& solution) const {
   const System* system = system_at(solution.parameters());
-  if (!system || std::ranges::all_of(system->stops, is_smooth)) return {};
+  if (!system || (std::ranges::all_of(system->stops, is_smooth) && system->frictions.empty()))
+    return {};
   const std::optional<OrbitBranchPoint> at = judge(solution);
   if (!at) return {};
-  return section_clear_of(*system, at->orbit.impacts, layout().theta, true);
+  return section_clear_of(*system, at->orbit, layout().theta, true);
 }
 
 std::unique_ptr<OrbitProblem> SegmentEquations::clear_of_contacts(const Vector& u,
@@ -292,7 +293,7 @@ std::unique_ptr<OrbitProblem> SegmentEquations::clear_of_contacts(const Vector& 
   const System* system = layout().released ? nullptr : system_at(at);
   const std::optional<Orbit> orbit = system ? orbit_of(*system, shooting_, u, {}) : std::nullopt;
   const std::optional<double> section =
-      orbit ? section_clear_of(*system, orbit->impacts, layout().theta, false) : std::nullopt;
+      orbit ? section_clear_of(*system, *orbit, layout().theta, false) : std::nullopt;
   return section ? at_section(*section) : nullptr;
 }
 

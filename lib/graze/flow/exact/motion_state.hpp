@@ -37,6 +37,9 @@ inline constexpr int kLeftUntold = 5;
 // The contact force of a structure that nothing moves: it stays zero.
 inline constexpr int kHeldIdle = 3;
 
+// What dry friction does from an event on.
+enum class Rubs { kSticks, kForward, kBackward };
+
 // Of dry friction that is touching: how it slid before.
 inline constexpr int kCameForward = 1;
 inline constexpr int kCameBackward = 2;

@@ -136,9 +136,9 @@ class HeldGenerator {
     x.topRows(n_) = rates_.asDiagonal() * of.q;
     x.middleRows(n_, n_) = of.qdot;
     for (std::size_t k = 0; k < orders_.size(); ++k) {
-      const double turn = orders_[k] * frequency_;
-      x.row(place(k)) = -turn * std::sin(orders_[k] * theta) * of.delay;
-      x.row(place(k) + 1) = turn * std::cos(orders_[k] * theta) * of.delay;
+      const Eigen::RowVectorXd turned = orders_[k] * frequency_ * of.delay;
+      x.row(place(k)) = -std::sin(orders_[k] * theta) * turned;
+      x.row(place(k) + 1) = std::cos(orders_[k] * theta) * turned;
     }
     return x;
   }

@@ -45,6 +45,13 @@ struct StickingPhase {
   std::optional<double> smallest_force;
 };
 
+// Dry friction that slides one way, or sticks, from here on.
+struct OrbitRubbing {
+  int friction = 0;  // index from 0
+  OrbitInstant at;
+  Rubs what = Rubs::kSticks;
+};
+
 // Starts of motions that repeat an orbit: a state in each of its forcing periods, or one state
 // whose motion goes through all of them.
 struct OrbitSection {
@@ -59,6 +66,7 @@ struct Orbit {
   // resolved impacts: their number depends on the closure speed.
   std::vector<OrbitImpact> impacts;
   std::vector<StickingPhase> sticking{};  // in time order; none: it does not stick
+  std::vector<OrbitRubbing> rubbing{};    // in time order
   std::vector<Eigenvalue> multipliers;    // of the map over p periods, largest modulus first
   // nullopt when a multiplier lies on the unit circle within its error.
   std::optional<bool> stable;

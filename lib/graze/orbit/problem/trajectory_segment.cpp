@@ -35,6 +35,7 @@ class Follower {
         contacts_(system.stops.size()) {
     motion_.stop_on(options.stop);
     const MotionState<double> start = motion.state();
+    start_ = start.instant;
     for (std::size_t i = 0; i < system.stops.size(); ++i) {
       if (start.contacts[i] == Contact::kClosed)
         open_sticking(static_cast<int>(i), start.instant, true);
@@ -126,8 +127,10 @@ class Follower {
       case WalkStep::kRelease:
         close_sticking(walk_.stop());
         return true;
-      case WalkStep::kTouch:
       case WalkStep::kFriction:
+        rub(walk_.stop());
+        return true;
+      case WalkStep::kTouch:
         return true;
       case WalkStep::kFailure:
         return fail(walk_.arrival().kind == ArrivalKind::kUndecided && options_.stop.requested()
@@ -137,6 +140,17 @@ class Follower {
         break;
     }
     return false;
+  }
+
+  void rub(int i) {
+    // What is at rest where the segment begins was so before.
+    if (motion_.instant().period == start_.period && motion_.instant().local == start_.local) return;
+    if (options_.minima) note_turning_points();
+    const Contact now = motion_.state().contacts[static_cast<std::size_t>(i)];
+    segment_.rubbing.push_back({i - static_cast<int>(system_.stops.size()), motion_.instant(),
+                                now == Contact::kForward    ? Rubs::kForward
+                                : now == Contact::kBackward ? Rubs::kBackward
+                                                            : Rubs::kSticks});
   }
 
   bool depart() {
@@ -211,6 +225,23 @@ class Follower {
       if (contact_at_departure(sticking.stop) == Contact::kClosed)
         note_smallest(sticking.smallest_force,
                       smallest_minimum(phase.force(sticking.stop, flight)));
+  }
+
+  // Where friction comes to rest a gap at its place turns back between two flights.
+  void note_turning_points() {
+    // The instant is known to its rounding, in which the speed changes.
+    const double located = std::numeric_limits<double>::epsilon() * motion_.instant().local *
+                           carried_.rate_now(carried_.closed_now()).qdot.norm();
+    for (const int i : open_stops()) {
+      const double rounding =
+          speed_rounding<double>(stop(i).row, motion_.qdot()) + located * stop(i).row.norm();
+      if (motion_.state().contacts[static_cast<std::size_t>(i)] != Contact::kClear ||
+          std::abs(motion_.approach_speed(i)) > rounding)
+        continue;
+      const double gap = motion_.gap(i);
+      if (!segment_.lowest || gap < segment_.lowest->gap)
+        segment_.lowest = {i, motion_.instant(), gap};
+    }
   }
 
   // The approaches of a flight to the open stops. To first order the gap at a minimum does not
@@ -322,6 +353,7 @@ class Follower {
   }
 
   const System& system_;
+  Instant<double> start_;
   const Instant<double> end_;
   const SegmentOptions& options_;
   Motion<double>& motion_;

@@ -35,6 +35,10 @@ const std::vector<Look> kSpecial = {
     mark("GR", "grazing (GR)", kGreen, MarkShape::kUp, true, 1.0),
     mark("CH", "chatter ends (CH)", kOrange, MarkShape::kDown, true, 1.0),
     mark("LO", "lift-off (LO)", kOrange, MarkShape::kPentagon, true, 1.0),
+    mark("GS", "grazing-sliding (GS)", kSky, MarkShape::kUp, false, 0.9),
+    mark("CS", "crossing-sliding (CS)", kPurple, MarkShape::kDown, false, 0.9),
+    mark("SS", "switching-sliding (SS)", kOrange, MarkShape::kSquare, true, 0.8),
+    mark("AS", "adding-sliding (AS)", kGreen, MarkShape::kDiamond, false, 0.8),
     mark("UZ", "level (UZ)", kIndigo, MarkShape::kPentagon, false, 0.9),
     mark("EX", "extreme (EX)", kVermillion, MarkShape::kDiamond, true, 1.0)};
 const Look kVirtualSpecial =

@@ -4,6 +4,8 @@
 // corner there, at which the trace ends. Solutions that meet no stop are not part of the branch.
 #pragma once
 
+#include <functional>
+
 #include "graze/bifurcation/cut/detail/branch_boundaries.hpp"
 #include "graze/bifurcation/problem/detail/segment_equations.hpp"
 
@@ -39,6 +41,11 @@ class ContactBoundaries : public BranchBoundaries {
                                              std::size_t impacts) const;
   std::optional<SolutionPoint> grazing_between(const SolutionPoint& a, const SolutionPoint& b,
                                                std::size_t before, std::size_t after) const;
+  std::optional<SolutionPoint> halved(SolutionPoint low, SolutionPoint high,
+                                      const std::function<double(const SolutionPoint&)>& test) const;
+  // Where friction slides and sticks in another order.
+  void pass_sliding(const JudgedPoint& a, const JudgedPoint& b,
+                    std::vector<BranchPlace>& places) const;
 
   const SegmentEquations& equations_;
   const ContinuationOptions& options_;

@@ -25,6 +25,14 @@ inline std::string label_of(SpecialKind kind) {
       return label_of(CriticalKind::kExtreme);
     case SpecialKind::kGrazing:
       return "GR";
+    case SpecialKind::kGrazingSliding:
+      return "GS";
+    case SpecialKind::kCrossingSliding:
+      return "CS";
+    case SpecialKind::kSwitchingSliding:
+      return "SS";
+    case SpecialKind::kAddingSliding:
+      return "AS";
     case SpecialKind::kChatterCompletes:
       return "CH";
     case SpecialKind::kLiftOff:

@@ -87,6 +87,13 @@ struct SegmentContact {
   bool parted = false;  // its force is gone, below the surface
 };
 
+// Dry friction that slips, reverses or sticks from here on.
+struct SegmentRubbing {
+  int friction = 0;
+  Instant<double> at;
+  Rubs what = Rubs::kSticks;
+};
+
 // Where a gap is least between the impacts.
 struct SegmentMinimum {
   int stop = 0;
@@ -100,6 +107,7 @@ struct TrajectorySegment {
   std::vector<SegmentImpact> impacts;
   std::vector<SegmentSticking> sticking;  // by the instant at which they end
   std::vector<SegmentContact> contacts;   // likewise
+  std::vector<SegmentRubbing> rubbing;    // in time order
   // The smallest interior local minimum of a gap; with `minima`.
   std::optional<SegmentMinimum> lowest{};
   std::optional<double> clearance() const {  // m
