@@ -123,7 +123,7 @@ int run(const ContinueCommand& command) {
   if (!command.locus.empty()) return run_loci(command);
   check_plot<BranchRecord>(command);
   check_impacts(command);
-  const Scene given = scene_of(command);
+  const Scene given = timed(scene_of(command));
   require_exact_flow(given, "branches are traced");
   const std::optional<Restart> restart = read_restart(command, given);
   const Scene& scene = restart ? restart->scene : given;

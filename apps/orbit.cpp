@@ -15,7 +15,7 @@
 namespace graze {
 int run(const OrbitCommand& command) {
   check_plot<OrbitRecord>(command);
-  const Scene scene = scene_of(command);
+  const Scene scene = timed(scene_of(command));
   require_exact_flow(scene, "orbits are solved for");
   require_forcing_and_stop(scene);
   OrbitRecord record{info_of_call(command, scene), assemble(scene), {}, {}, {}, {}, {}};

@@ -6,6 +6,7 @@
 #include "command.hpp"
 #include "graze/base/even_values.hpp"
 #include "graze/orbit/search/finder.hpp"
+#include "graze/structure/modal_model.hpp"
 #include "graze/study/plane/plane.hpp"
 #include "graze/study/sweep/run_series.hpp"
 #include "graze/study/sweep/settled_row.hpp"
@@ -32,6 +33,19 @@ inline FinderOptions finder_options(const OrbitSearchOptions& command) {
   options.threads = command.threads;
   options.stop = stop_signal(command);
   return options;
+}
+
+// A scene that belts alone drive, with a guess of the period of its orbits in place of a forcing's.
+inline Scene timed(Scene scene) {
+  const auto drags = [](const DryFriction& friction) { return friction.speed != 0.0; };
+  if (scene.forcing || std::none_of(scene.frictions.begin(), scene.frictions.end(), drags))
+    return scene;
+  const Vector omega = modal_model(scene).omega;
+  Forcing guess;
+  guess.kind = ForcingKind::kNone;
+  guess.frequency = omega.minCoeff() > 0.0 ? omega.minCoeff() : 1.0;
+  scene.forcing = guess;
+  return scene;
 }
 
 // Periodic orbits repeat with the forcing and are made of impacts: both must be there.

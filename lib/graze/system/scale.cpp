@@ -20,20 +20,20 @@ double push_at(const System& system, const Stop& stop, const Vector& force) {
 
 }  // namespace
 
-double forced_reach_at(const System& system, const Stop& stop) {
+double forced_reach_at(const System& system, const Vector& row) {
   double reach = 0.0;
   if (!system.forcing()) return reach;
   const double frequency = system.forcing()->frequency;
   const Vector force = system.forcing()->size();
   for (Eigen::Index j = 0; j < system.omega.size(); ++j)
     reach =
-        std::max(reach, std::abs((system.coupling() ? stop.row.norm() : stop.row[j]) * force[j]) /
+        std::max(reach, std::abs((system.coupling() ? row.norm() : row[j]) * force[j]) /
                             std::max(system.omega[j] * system.omega[j], frequency * frequency));
   return reach;
 }
 
 double reach_at(const System& system, const Stop& stop) {
-  return std::max(std::abs(stop.gap), forced_reach_at(system, stop));
+  return std::max(std::abs(stop.gap), forced_reach_at(system, stop.row));
 }
 
 namespace {
@@ -50,18 +50,30 @@ double hub_push(const Rotation& rotation, const Vector& row) {
   return push;
 }
 
+// How far friction alone moves the structure where it acts, m.
+double rubbed_reach(const System& system, const Friction& friction) {
+  double reach = 0.0;
+  const double frequency = system.forcing()->frequency;
+  for (Eigen::Index j = 0; j < system.omega.size(); ++j)
+    reach = std::max(reach, friction.sliding * friction.row[j] * friction.row[j] /
+                                std::max(system.omega[j] * system.omega[j], frequency * frequency));
+  return reach;
+}
+
 }  // namespace
 
 MotionScale motion_scale(const System& system) {
   const double frequency = system.forcing()->frequency;
   MotionScale scale{0.0, 0.0, 0.0, {}};
-  for (const Stop& stop : system.stops) {
-    const double reach = reach_at(system, stop);
-    if (reach > scale.length) {
-      scale.length = reach;
-      scale.displacement = reach / stop.row.norm();
-    }
-  }
+  const auto include = [&](double reach, const Vector& row) {
+    if (!(reach > scale.length)) return;
+    scale.length = reach;
+    scale.displacement = reach / row.norm();
+  };
+  for (const Stop& stop : system.stops) include(reach_at(system, stop), stop.row);
+  for (const Friction& friction : system.frictions)
+    include(std::max(forced_reach_at(system, friction.row), rubbed_reach(system, friction)),
+            friction.row);
   if (!(scale.length > 0.0)) scale.length = scale.displacement = 1.0;
   scale.speed = scale.length * frequency;
   scale.velocity = scale.displacement * system.omega.cwiseMax(frequency);
@@ -79,7 +91,7 @@ double speed_scale(const System& system, const State& start) {
   double scale = 0.0;
   for (const Stop& stop : system.stops) {
     const double distance = std::max(std::abs(stop.gap), std::abs(stop.row.dot(start.q)));
-    const double forced = forced_reach_at(system, stop);
+    const double forced = forced_reach_at(system, stop.row);
     // Over a distance d an acceleration a comes to sqrt(2 a d), however slowly it turns.
     if (forced > 0.0) {
       const double fall =

@@ -5,15 +5,16 @@
 
 namespace graze {
 
-// How far the force of any one mode moves the structure at a stop, m; 0 without forcing.
-double forced_reach_at(const System& system, const Stop& stop);
+// How far the force of any one mode moves the structure along the row of a stop, m; 0 without
+// forcing.
+double forced_reach_at(const System& system, const Vector& row);
 
 // Length at a stop, m: the larger of forced_reach_at and the gap.
 double reach_at(const System& system, const Stop& stop);
 
 // Units of the forced motion.
 struct MotionScale {
-  double length = 1.0;        // m: the larger of the gaps and of what the forcing moves at a stop
+  double length = 1.0;        // m: the largest of the gaps and of what forcing and dry friction move
   double speed = 1.0;         // m/s: that times the forcing frequency
   double displacement = 1.0;  // kg^1/2 m: the length as a modal displacement
   // kg^1/2 m/s, N: for each mode the displacement times the faster of mode and forcing. In units of

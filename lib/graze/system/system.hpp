@@ -198,6 +198,13 @@ struct System {
   }
   const Vector* load() const { return !turns() && modal().load ? &*modal().load : nullptr; }
   bool repeats() const { return forcing() && forcing()->repeats; }
+  // Whether nothing drives it but belts: orbits then have periods of their own, of which the
+  // forcing's is only a guess.
+  bool is_self_excited() const {
+    return forcing() && forcing()->amplitude.isZero(0.0) && forcing()->harmonics.empty() &&
+           std::any_of(frictions.begin(), frictions.end(),
+                       [](const Friction& friction) { return friction.speed != 0.0; });
+  }
   // T = 2 pi/frequency, s; infinite where no loads repeat.
   double period() const {
     return repeats() ? kTurn / forcing()->frequency : std::numeric_limits<double>::infinity();

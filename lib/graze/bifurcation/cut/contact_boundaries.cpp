@@ -181,7 +181,13 @@ std::optional<BranchTip> ContactBoundaries::close(Branch& trace, std::size_t sid
     }
     return BranchTip{OrbitBranchEnd::kGrazing, boundary(*corner, std::move(orbit), !speed)};
   }
-  return {};
+  std::optional<OrbitBranchPoint> tip = equations_.judge(last);
+  if (!tip || !ends_as_a_tangent(tip->orbit)) return {};
+  BranchPlace place;
+  place.end = OrbitBranchEnd::kSliding;
+  place.at = std::move(*tip);
+  place.special = SpecialPoint{SpecialKind::kGrazingSliding, "", place.at, {}, false, last};
+  return BranchTip{OrbitBranchEnd::kSliding, std::move(place)};
 }
 
 // Approaches by secants of the margin, from one side; nullopt when they do not come near zero.

@@ -45,6 +45,14 @@ bool has_same_sliding(const Orbit& a, const Orbit& b) {
   return true;
 }
 
+// The fall vanishes with the root of the distance along a branch.
+bool ends_as_a_tangent(const Orbit& orbit) {
+  constexpr double kHardly = 1e-2;
+  return std::any_of(
+      orbit.rubbing.begin(), orbit.rubbing.end(),
+      [](const OrbitRubbing& event) { return event.fall > 0.0 && event.fall < kHardly; });
+}
+
 SpecialKind kind_of_change(const Orbit& orbit) {
   double shortest = std::numeric_limits<double>::infinity();
   SpecialKind kind = SpecialKind::kSwitchingSliding;

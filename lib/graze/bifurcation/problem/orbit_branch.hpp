@@ -76,6 +76,7 @@ enum class OrbitBranchEnd {
   kLevel,           // of a number of its orbits
   kAtRest,          // beyond the lift-off there, the structure stays at rest on the stop
   kPeriodDoubling,  // where it joins orbits of half the period
+  kSliding,         // friction would slide or stick in another order, with a jump
   kImpactsMeet,     // a flight from impact to impact shrinks to nothing: their order would change
   kStepLimit,
   kOutOfTime,  // the budget of computing time is spent

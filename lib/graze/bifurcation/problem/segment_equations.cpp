@@ -188,7 +188,7 @@ std::optional<ComplexVector> SegmentEquations::products_rate(
 }
 
 Vector SegmentEquations::halves_differ(const SolutionPoint& solution) const {
-  if (period() % 2 != 0) return {};
+  if (period() % 2 != 0 || shooting_.is_free()) return {};
   if (layout().sections % 2 == 0) {
     const Eigen::Index half = solution.u.size() / 2;
     return solution.u.tail(half) - solution.u.head(half);
@@ -290,7 +290,8 @@ std::optional<double> SegmentEquations::clearer_section(const SolutionPoint& sol
 
 std::unique_ptr<OrbitProblem> SegmentEquations::clear_of_contacts(const Vector& u,
                                                                   Parameters at) const {
-  const System* system = layout().released ? nullptr : system_at(at);
+  const System* system =
+      layout().released || shooting_.is_free() ? nullptr : system_at(at);
   const std::optional<Orbit> orbit = system ? orbit_of(*system, shooting_, u, {}) : std::nullopt;
   const std::optional<double> section =
       orbit ? section_clear_of(*system, *orbit, layout().theta, false) : std::nullopt;
@@ -350,16 +351,16 @@ bool has_same_events(const ReleaseReturn& back, const ReleaseReturn& other, bool
 }
 
 SolutionPoint SegmentEquations::twice_round(const SolutionPoint& solution) const {
-  if (!layout().released) return graze::twice_round(solution);
+  if (!layout().released && !shooting_.is_free()) return graze::twice_round(solution);
   SolutionPoint same = solution;
   same.multipliers.clear();
   return same;
 }
 
 std::unique_ptr<OrbitProblem> SegmentEquations::clearer(const SolutionPoint& solution) const {
-  // A section at a release cannot be moved.
+  // A section at a release cannot be moved, nor one where a place is at rest.
   const std::optional<double> section =
-      layout().released ? std::nullopt : clearer_section(solution);
+      layout().released || shooting_.is_free() ? std::nullopt : clearer_section(solution);
   return section ? at_section(*section) : nullptr;
 }
 
@@ -382,6 +383,7 @@ std::vector<SolutionPoint> SegmentEquations::rewritings(const OrbitProblem& of,
     }
     return list;
   }
+  if (shooting_.is_free()) return other == this ? std::vector{solution} : list;
   const std::optional<SolutionPoint> there =
       other == this ? solution : other->carried_to(*this, options, solution);
   const Eigen::Index n = map().size(), size = solution.u.size();

@@ -91,7 +91,7 @@ std::optional<std::pair<SegmentShooting, Polished<Equations>>> shorter(
         (u.tail(u.size() - part.size()) - u.head(u.size() - part.size())).norm() >
             kShootingAccuracy * (1.0 + u.norm()))
       continue;
-    const std::vector<MotionState<double>> starts = starts_of(system, part, first);
+    const std::vector<MotionState<double>> starts = starts_of(part.timed(system, first), part, first);
     const std::vector<TrajectorySegment> segments = part.follow(system, first);
     if (starts.empty() || segments.empty() || closed_stops(segments.back().end) != whole.closed ||
         !(whole_residual(system, starts, segments) <= kShootingAccuracy))
@@ -222,9 +222,10 @@ std::optional<Orbit> orbit_at_release(const System& system, const SegmentShootin
 
 }  // namespace
 
-std::optional<Orbit> orbit_of(const System& system, const SegmentShooting& shooting,
+std::optional<Orbit> orbit_of(const System& given, const SegmentShooting& shooting,
                               const Vector& u, std::vector<Eigenvalue> multipliers,
                               const std::optional<GrazingContact>& grazing) {
+  const System system = shooting.timed(given, u);
   if (shooting.layout().released) return orbit_at_release(system, shooting, u);
   const bool stuck = !shooting.layout().closed.empty();
   const std::vector<MotionState<double>> starts = starts_of(system, shooting, u);
@@ -237,6 +238,7 @@ std::optional<Orbit> orbit_of(const System& system, const SegmentShooting& shoot
   }
   Orbit orbit;
   orbit.period = shooting.layout().period;
+  if (shooting.is_free()) orbit.lasts = orbit.period * system.period();
   orbit.residual = whole_residual(system, starts, segments);
   for (const TrajectorySegment& segment : segments) {
     const std::optional<double> clearance = segment.clearance();

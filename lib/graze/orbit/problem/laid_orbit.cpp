@@ -22,7 +22,7 @@ std::vector<LaidOrbit> layouts_of(const System& system, const Orbit& orbit,
     SegmentLayout& layout = one.layout;
     layout.period = orbit.period;
     layout.released = sticking.stop;
-    for (std::size_t i = 0; i < there.end.contacts.size(); ++i)
+    for (std::size_t i = 0; i < system.stops.size(); ++i)
       if (static_cast<int>(i) == sticking.stop || there.end.contacts[i] == Contact::kClosed)
         layout.closed.push_back(static_cast<int>(i));
     one.theta = wrapped(system.forcing()->frequency * sticking.to.local + system.forcing()->phase);

@@ -50,6 +50,7 @@ struct OrbitRubbing {
   int friction = 0;  // index from 0
   OrbitInstant at;
   Rubs what = Rubs::kSticks;
+  double fall = 0.0;  // of the speed of sliding where that ends, in parts of what friction alone does
 };
 
 // Starts of motions that repeat an orbit: a state in each of its forcing periods, or one state
@@ -62,6 +63,7 @@ struct OrbitSection {
 
 struct Orbit {
   int period = 1;  // p
+  std::optional<double> lasts{};  // s, of a self-excited one, whose period is its own
   // In time order from the smallest (period_index, phase). Of a chatter that completes, the
   // resolved impacts: their number depends on the closure speed.
   std::vector<OrbitImpact> impacts;

@@ -96,7 +96,7 @@ class EventsOfOrbit {
     orbit.sticking = sticking(clock);
     for (std::size_t turn = 0; turn < segments_.size(); ++turn)
       for (const SegmentRubbing& one : segments_[turn].rubbing)
-        orbit.rubbing.push_back({one.friction, clock(counted(one.at, turn)), one.what});
+        orbit.rubbing.push_back({one.friction, clock(counted(one.at, turn)), one.what, one.fall});
     std::stable_sort(orbit.rubbing.begin(), orbit.rubbing.end(),
                      [](const auto& a, const auto& b) { return earlier(a.at, b.at); });
     orbit.section->at = clock(orbit.section->states.front().instant);

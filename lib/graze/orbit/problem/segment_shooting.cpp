@@ -56,7 +56,9 @@ std::vector<PressedSpring> springs_at(const System& system, const State& at) {
 
 SegmentShooting::SegmentShooting(const System& reference, SegmentLayout layout,
                                  const SegmentOptions& options)
-    : layout_(std::move(layout)), map_(reference, layout_.closed, options) {
+    : layout_(std::move(layout)),
+      rate_(reference.is_self_excited() && !layout_.released ? reference.forcing()->frequency : 0.0),
+      map_(reference, layout_.closed, options) {
   if (layout_.released)
     push_ = push_scale(reference, reference.stops[static_cast<std::size_t>(*layout_.released)]);
 }
@@ -73,6 +75,12 @@ SegmentShooting SegmentShooting::leaving_out(const LeftOut& one) const {
   return other;
 }
 
+System SegmentShooting::timed(const System& system, const Vector& u) const {
+  System own = system;
+  if (is_free()) own.modal().forcing->frequency = rate_ * std::exp(u[0]);
+  return own;
+}
+
 Vector SegmentShooting::wrap() const {
   if (!layout_.released) return {};
   Vector wrap = Vector::Zero(size());
@@ -84,6 +92,7 @@ Vector SegmentShooting::pack(const System& system, double theta,
                              const std::vector<State>& states) const {
   Vector u(head() + static_cast<Eigen::Index>(states.size()) * map_.size());
   if (layout_.released) u[0] = theta;
+  if (is_free()) u[0] = std::log(system.forcing()->frequency / rate_);
   for (std::size_t i = 0; i < states.size(); ++i)
     u.segment(head() + static_cast<Eigen::Index>(i) * map_.size(), map_.size()) =
         map_.pack(system, states[i]);
@@ -150,6 +159,7 @@ std::optional<ShootingLinearisation> SegmentShooting::linearise(
     const System& system, const Vector& u, std::span<const System* const> tangents,
     std::vector<Matrix>* factors) const {
   if (!u.allFinite()) return {};
+  if (is_free()) return linearise_free(system, u, tangents, factors);
   const Eigen::Index all = size(), n = map_.size(), first = head(), last = all - n;
   ShootingLinearisation sum{Vector(all), Matrix::Zero(all, all), Matrix::Zero(all, all),
                             Matrix(all, static_cast<Eigen::Index>(tangents.size()))};
@@ -182,6 +192,67 @@ std::optional<ShootingLinearisation> SegmentShooting::linearise(
   return sum;
 }
 
+namespace {
+
+// The derivative of a system by the logarithm of the rate of its forcing alone.
+System by_rate(const System& system) {
+  const Vector none = Vector::Zero(system.modes());
+  System rate{none, NaturalModes{none}, {}};
+  rate.modal().forcing = HarmonicForcing{system.forcing()->frequency, 0.0, none};
+  for (const Stop& stop : system.stops) {
+    rate.stops.push_back({none, 0.0, ImpactLaw{none, Restitution{0.0}}});
+    if (!stop.is_compliant()) continue;
+    ContactForce force = stop.force();
+    force.stiffness = force.exponent = force.coefficient = 0.0;
+    rate.stops.back().law = force;
+  }
+  rate.frictions.assign(system.frictions.size(), {none, none});
+  return rate;
+}
+
+}  // namespace
+
+std::optional<ShootingLinearisation> SegmentShooting::linearise_free(
+    const System& given, const Vector& u, std::span<const System* const> tangents,
+    std::vector<Matrix>* factors) const {
+  const System system = timed(given, u), rate = by_rate(system);
+  std::vector<const System*> along{&rate};
+  along.insert(along.end(), tangents.begin(), tangents.end());
+  const Eigen::Index all = size(), n = map_.size(), last = all - n;
+  const auto others = static_cast<Eigen::Index>(tangents.size());
+  ShootingLinearisation sum{Vector(all), Matrix::Zero(all, all), Matrix::Zero(all, all),
+                            Matrix(all, others)};
+  const Vector& row = system.frictions.front().row;
+  const auto chart = map_.chart_at(system, at_section(u, 0));
+  if (!chart) return {};
+  const Eigen::RowVectorXd seen = row.transpose() * chart->slope;
+  const double unit = map_.unit().tail(n / 2).maxCoeff() * row.norm();
+  sum.residual[0] = row.dot(chart->state.qdot) / unit;
+  sum.jacobian.row(0).segment(1 + n / 2, n / 2) =
+      seen.cwiseProduct(map_.unit().tail(n / 2).transpose()) / unit;
+  for (Eigen::Index k = 0; k < others; ++k) {
+    const System& tangent = *tangents[static_cast<std::size_t>(k)];
+    sum.by_parameters(0, k) =
+        (tangent.frictions.front().row.dot(chart->state.qdot) +
+         row.dot(map_.chart_rate(system, tangent, chart->state).qdot)) /
+        unit;
+  }
+  for (int i = 0; i < layout_.sections; ++i) {
+    const Eigen::Index at = 1 + i * n, next = 1 + (i + 1) % layout_.sections * n;
+    const auto passed =
+        map_.image(system, at_section(u, i), theta_of(u), periods_each(), false, along);
+    if (!passed) return {};
+    sum.residual.segment(at, n) = passed->image - u.segment(next, n);
+    sum.jacobian.block(at, at, n, n) += passed->jacobian;
+    sum.jacobian.block(at, next, n, n) -= Matrix::Identity(n, n);
+    sum.jacobian.col(0).segment(at, n) = passed->by_parameters.col(0);
+    sum.by_parameters.middleRows(at, n) = passed->by_parameters.rightCols(others);
+    if (factors) factors->push_back(passed->jacobian);
+  }
+  sum.closing.block(last, 1, n, n) = -Matrix::Identity(n, n);
+  return sum;
+}
+
 std::vector<Eigenvalue> SegmentShooting::multipliers(const System& system,
                                                      const std::vector<Matrix>& factors,
                                                      ErrorBounds errors) const {
@@ -191,6 +262,11 @@ std::vector<Eigenvalue> SegmentShooting::multipliers(const System& system,
         system.has_compliant_stop() ? kMapAccuracy / std::numeric_limits<double>::epsilon() : 0.0;
     list = product_eigenvalues(factors, errors, roundings);
     if (static_cast<Eigen::Index>(list.size()) != map_.size()) return {};
+    // A later start of the same orbit is no deviation from it.
+    if (is_free())
+      list.erase(std::min_element(list.begin(), list.end(), [](const auto& a, const auto& b) {
+        return std::abs(a.value - 1.0) < std::abs(b.value - 1.0);
+      }));
   }
   list.resize(static_cast<std::size_t>(2 * system.modes()), {Complex(0.0), 0.0});
   return list;
@@ -204,7 +280,8 @@ std::vector<Eigenvalue> SegmentShooting::multipliers(const System& system, const
 }
 
 std::optional<SegmentShooting::Products> SegmentShooting::products(
-    const System& system, const Vector& u, int i, const std::vector<SegmentProduct>& list) const {
+    const System& given, const Vector& u, int i, const std::vector<SegmentProduct>& list) const {
+  const System system = timed(given, u);
   const Eigen::Index n = map_.size(), at = head() + i * n;
   Products found{ComplexVector::Zero(static_cast<Eigen::Index>(list.size())), {}};
   ComplexVector& sums = found.sums;
@@ -231,8 +308,9 @@ std::optional<SegmentShooting::Products> SegmentShooting::products(
   return found;
 }
 
-std::vector<TrajectorySegment> SegmentShooting::follow(const System& system, const Vector& u,
+std::vector<TrajectorySegment> SegmentShooting::follow(const System& given, const Vector& u,
                                                        bool minima) const {
+  const System system = timed(given, u);
   std::vector<TrajectorySegment> segments;
   for (int i = 0; i < layout_.sections; ++i) {
     std::optional<TrajectorySegment> segment =
@@ -243,11 +321,12 @@ std::vector<TrajectorySegment> SegmentShooting::follow(const System& system, con
   return segments;
 }
 
-std::optional<std::vector<SegmentMargin>> SegmentShooting::margins(const System& system,
+std::optional<std::vector<SegmentMargin>> SegmentShooting::margins(const System& given,
                                                                    const Vector& u,
                                                                    const System& tangent,
                                                                    const Vector& direction,
                                                                    double parameter_rate) const {
+  const System system = timed(given, u);
   std::vector<SegmentMargin> list;
   for (int i = 0; i < layout_.sections; ++i) {
     Vector along(head() + map_.size());

@@ -150,7 +150,8 @@ class Follower {
     segment_.rubbing.push_back({i - static_cast<int>(system_.stops.size()), motion_.instant(),
                                 now == Contact::kForward    ? Rubs::kForward
                                 : now == Contact::kBackward ? Rubs::kBackward
-                                                            : Rubs::kSticks});
+                                                            : Rubs::kSticks,
+                                fall_});
   }
 
   bool depart() {
@@ -176,6 +177,13 @@ class Follower {
 
   void flown() {
     const Arrival<double>& arrival = walk_.arrival();
+    if (arrival.kind == ArrivalKind::kStandstill) {
+      const Friction& friction = system_.friction(arrival.stop);
+      fall_ = std::abs(friction.row.dot(carried_.rate_flown().qdot)) /
+              (friction.sliding * friction.row.squaredNorm());
+    } else if (!walk_.is_at_once()) {
+      fall_ = 0.0;
+    }
     if (walk_.is_at_once()) {
       if (arrival.kind == ArrivalKind::kContact) carried_.meet_at_once(arrival);
       return;
@@ -354,6 +362,7 @@ class Follower {
 
   const System& system_;
   Instant<double> start_;
+  double fall_ = 0.0;  // of a speed of sliding at its end
   const Instant<double> end_;
   const SegmentOptions& options_;
   Motion<double>& motion_;

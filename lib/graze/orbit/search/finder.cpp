@@ -19,6 +19,7 @@
 #include "graze/orbit/search/detail/pair_search.hpp"
 #include "graze/orbit/search/detail/phase_search.hpp"
 #include "graze/orbit/search/detail/rough_guess.hpp"
+#include "graze/orbit/search/detail/self_excited.hpp"
 #include "graze/orbit/search/detail/solved_orbit.hpp"
 #include "graze/orbit/search/settled.hpp"
 
@@ -65,6 +66,12 @@ class Finder {
   }
 
   FoundOrbits find() {
+    if (system_.is_self_excited()) {
+      if (start_)
+        keep(self_excited_orbit(system_, *start_, segment_options_, found_.notes),
+             found_.simulation);
+      return conclude();
+    }
     const bool one_impact = !options_.impacts || *options_.impacts == 1;
     if (options_.from_closed_form && one_impact)
       followed_ ? from_closed_form_contacts() : from_closed_form();
@@ -218,7 +225,6 @@ class Finder {
     keep(judge, solved.solutions);
   }
 
-  // The sequences of stops to search.
   std::vector<std::vector<int>> sequences() {
     const int stops = static_cast<int>(system_.stops.size());
     std::vector<std::vector<int>> all;
@@ -307,7 +313,6 @@ class Finder {
     }
   }
 
-  // The minimal orbit of a solution; nullopt when there is none.
   std::optional<Orbit> judge(const ShootingProblem& problem,
                              const std::optional<ShootingSolution>& solution, StartCount& count) {
     ++count.tried;
@@ -376,7 +381,6 @@ class Finder {
     return fmt::format("{}", fmt::join(parts, ", "));
   }
 
-  // m/s, of the forced motion
   double speed_scale() const { return scale_.speed; }
 
   const System& system_;

@@ -33,6 +33,7 @@ void describe_point(ResultVisitor& v, const OrbitBranchPoint& point, bool compli
           point.unstable_multipliers);
   v.field({"clearance", "m", "smallest interior local minimum of a gap between the impacts"},
           orbit.clearance);
+  if (orbit.lasts) v.field({"lasts", "s", "period of a self-excited orbit"}, orbit.lasts);
   if (compliant)
     v.field({"shortest_contact", "s", "of its contacts, on compliant stops"},
             shortest_contact(orbit));

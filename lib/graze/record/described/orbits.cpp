@@ -105,6 +105,8 @@ void describe_orbit(ResultVisitor& v, const Orbit& orbit, std::size_t number) {
               .in("orbits"),
           orbit.impacts.size());
   v.values({"phases", "rad"}, orbit.impacts, [](const OrbitImpact& at) { return at.phase; });
+  if (const auto some = v.where(orbit.lasts.has_value(), "of a self-excited orbit"))
+    v.field(Field{"lasts", "s", "its period"}.in("orbits"), orbit.lasts);
   v.values({"speeds", "m/s"}, orbit.impacts, [](const OrbitImpact& at) { return at.speed; });
   describe_impacts(v, orbit.impacts);
   describe_multipliers(v, orbit);

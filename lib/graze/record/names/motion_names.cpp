@@ -130,6 +130,8 @@ std::string name_of(OrbitBranchEnd end) {
       return "at rest";
     case OrbitBranchEnd::kPeriodDoubling:
       return "PD";
+    case OrbitBranchEnd::kSliding:
+      return "sliding changes";
     case OrbitBranchEnd::kImpactsMeet:
       return "impacts meet";
     case OrbitBranchEnd::kStepLimit:

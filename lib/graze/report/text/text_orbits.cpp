@@ -18,12 +18,13 @@ constexpr std::size_t kShownImpacts = 8;
 
 // The properties in which the orbits of a record differ; common ones are not repeated.
 struct Shows {
-  bool stop = false, period = false, admissible = false;
+  bool stop = false, period = false, admissible = false, lasts = false;
 
   explicit Shows(const OrbitRecord& record) : stop(record.system.stops.size() > 1) {
     for (const Orbit& orbit : record.found.orbits) {
       period = period || orbit.period > 1;
       admissible = admissible || !orbit.admissible;
+      lasts = lasts || orbit.lasts;
     }
   }
 };
@@ -33,6 +34,7 @@ std::vector<std::string> whole_of(const Orbit& orbit, const Shows& shows,
                                   const TextOptions& options) {
   std::vector<std::string> cells = {stability_word(orbit.stable)};
   if (shows.admissible) cells.emplace_back(orbit.admissible ? "yes" : "no");
+  if (shows.lasts) cells.push_back(digits_text(orbit.lasts, 12));
   cells.push_back(digits_text(orbit.clearance, 4));
   cells.push_back(orbit.multipliers.empty() ? "-"
                                             : complex_text(orbit.multipliers.front().known(), 6));
@@ -50,6 +52,7 @@ std::string orbits_text(const OrbitRecord& record, const TextOptions& options) {
   const std::size_t of_impacts = header.size();
   header.emplace_back("stable");
   if (shows.admissible) header.emplace_back("admissible");
+  if (shows.lasts) header.push_back(in.head("lasts", "s"));
   header.insert(header.end(), {in.head("clearance", "m"), "largest multiplier"});
   if (options.verbose) header.emplace_back("residual");
   Table table(header, {2, {of_impacts}});
@@ -57,6 +60,12 @@ std::string orbits_text(const OrbitRecord& record, const TextOptions& options) {
   for (const Orbit& orbit : record.found.orbits) {
     ++number;
     const std::size_t count = orbit.impacts.size();
+    if (count == 0 && !orbit.sticks()) {
+      std::vector<std::string> row{std::to_string(number), fmt::format("({}, 0)", orbit.period)};
+      row.resize(of_impacts, "-");
+      for (std::string& cell : whole_of(orbit, shows, options)) row.push_back(std::move(cell));
+      table.add(row);
+    }
     const bool excerpt = orbit.sticks() && count > 2 * kShownImpacts;
     for (std::size_t i = 0; i < count; ++i) {
       if (excerpt && i == kShownImpacts) {
@@ -99,6 +108,23 @@ std::string sticking_text(const OrbitRecord& record, const TextOptions& options)
   return table.empty() ? "" : table.text(options.width) + "\n";
 }
 
+std::string rubbing_text(const OrbitRecord& record, const TextOptions& options) {
+  const TextUnits in(record.info.units);
+  Table table({"orbit", "friction", "from then on", in.head("phase", "rad")});
+  int number = 0;
+  for (const Orbit& orbit : record.found.orbits) {
+    ++number;
+    for (const OrbitRubbing& event : orbit.rubbing)
+      table.add({fmt::format("{}", number), fmt::format("{}", event.friction + 1),
+                 event.what == Rubs::kSticks    ? "sticks"
+                 : event.what == Rubs::kForward ? "slides forward"
+                                                : "slides backward",
+                 decimals_text(event.at.phase, 12) +
+                     (orbit.period == 1 ? "" : fmt::format(", period {}", event.at.period_index))});
+  }
+  return table.empty() ? "" : table.text(options.width) + "\n";
+}
+
 // Contacts at compliant stops.
 std::string contacts_text(const OrbitRecord& record, const TextOptions& options) {
   const std::vector<Orbit>& orbits = record.found.orbits;
@@ -124,7 +150,7 @@ std::string contacts_text(const OrbitRecord& record, const TextOptions& options)
 }  // namespace
 
 std::string to_text(const OrbitRecord& record, const TextOptions& options) {
-  return orbits_text(record, options) + sticking_text(record, options) +
+  return orbits_text(record, options) + sticking_text(record, options) + rubbing_text(record, options) +
          contacts_text(record, options) +
          notes_text(record.found.notes, record.found.details, options) + ending(record.outcome);
 }

@@ -13,4 +13,7 @@ bool has_same_sliding(const Orbit& a, const Orbit& b);
 // The change at which the shortest piece of sliding or sticking of this orbit begins to exist.
 SpecialKind kind_of_change(const Orbit& orbit);
 
+// Whether sliding ends somewhere with a speed that hardly falls: it is about not to end there.
+bool ends_as_a_tangent(const Orbit& orbit);
+
 }  // namespace graze

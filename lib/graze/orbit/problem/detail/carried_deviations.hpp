@@ -54,14 +54,14 @@ class CarriedDeviations {
   std::vector<int> closed_now() const;
   // The rate of the motion, held so, without the spring at stop `without`.
   State rate_now(const std::vector<int>& closed, int without = -1) const;
+  // The same at the end of the flight just flown, before what happens there.
+  State rate_flown() const;
 
  private:
   const Stop& stop(int i) const { return system_.stops[static_cast<std::size_t>(i)]; }
   State state_now() const { return {motion_.q(), motion_.qdot()}; }
   State rate_now(const std::vector<int>& closed, const std::vector<Contact>& frictions,
                  int without = -1) const;
-  // Where the flight just flown ended.
-  State rate_flown() const;
   void stand(int friction);
   void slip(int friction);
   bool departed_from(int stop) const;

@@ -10,6 +10,10 @@
 //
 //   force(theta, x_1) = 0,   the contact force of that stop falls to zero.
 //
+// Of a self-excited system (System::is_self_excited) the period is unknown as well, u = (log of the
+// rate 2 pi/T, x_1, ..), with the equation that the first friction's place is at rest on the
+// section: b.q' = 0.
+//
 // With as many stops closed as there are modes there are no x_i, and the force is the only
 // equation.
 //
@@ -68,7 +72,10 @@ class SegmentShooting {
   SegmentShooting leaving_out(const LeftOut& one) const;
 
   Eigen::Index size() const { return head() + layout_.sections * map_.size(); }
-  Eigen::Index head() const { return layout_.released ? 1 : 0; }  // where x_1 begins
+  Eigen::Index head() const { return layout_.released || is_free() ? 1 : 0; }  // where x_1 begins
+  bool is_free() const { return rate_ > 0.0; }  // the period is unknown
+  // The system with the period of u.
+  System timed(const System& system, const Vector& u) const;
   // The periods of the unknowns: 2 pi for the phase, else zero.
   Vector wrap() const;
   double theta_of(const Vector& u) const { return layout_.released ? u[0] : layout_.theta; }
@@ -122,7 +129,12 @@ class SegmentShooting {
   Force force(const System& system, const Vector& u, const SectionMap::Chart& chart,
               std::span<const System* const> tangents) const;
 
+  std::optional<ShootingLinearisation> linearise_free(const System& system, const Vector& u,
+                                                      std::span<const System* const> tangents,
+                                                      std::vector<Matrix>* factors) const;
+
   SegmentLayout layout_;
+  double rate_ = 0.0;  // rad/s, of which the logarithm counts; 0: the period is known
   SectionMap map_;
   double push_ = 1.0;  // unit of the force equation, m/s^2
 };

@@ -92,6 +92,7 @@ struct SegmentRubbing {
   int friction = 0;
   Instant<double> at;
   Rubs what = Rubs::kSticks;
+  double fall = 0.0;  // as of OrbitRubbing
 };
 
 // Where a gap is least between the impacts.
