@@ -92,6 +92,82 @@ TEST(Friction, BetweenTwoMassesIsInternal) {
   EXPECT_NEAR(run.result.final.qdot[1] / std::sqrt(m2), common, 1e-15);
 }
 
+// Code_Aster's SDND106: masses of 5 and a spring of 1e4; the first sticks up to 3000 and slides
+// against 2000; 3000 N on the second until .2 s.
+TEST(Friction, SlipsAndSticksAsInSdnd106) {
+  const double m = 5.0, k = 1e4, limit = 3000.0, sliding = 2000.0, load = 3000.0;
+  const double w = std::sqrt(2.0 * k / m);  // of both masses together, beside their free motion
+  System system{Vector(2), NaturalModes{Vector::Zero(2)}, {}};
+  system.omega << 0.0, w;
+  // Modes (1, 1) and (1, -1), each mass 5.
+  const double part = 1.0 / std::sqrt(2.0 * m);
+  Vector first(2), second(2);
+  first << part, part;
+  second << part, -part;
+  system.modal().load = load * second;
+  system.frictions.push_back(friction(first, sliding, limit));
+  auto run = support::record_run(system, support::rest(system), with_energy(0.2));
+  ASSERT_EQ(run.events.size(), 1u);
+  const double w2 = std::sqrt(k / m), slips = std::acos(1.0 - limit / load) / w2;
+  EXPECT_NEAR(run.events[0].time, slips, 1e-12);
+  EXPECT_NEAR(slips, 0.03512, 5e-6);
+  // From there the centre is accelerated by (load - sliding)/(2 m), and the distance d swings about
+  // its rest, m d'' = -2 k d + load + sliding.
+  const double d0 = load / k * (1.0 - std::cos(w2 * slips)), v0 = load / k * w2 * std::sin(w2 * slips);
+  const double push = (load - sliding) / (2.0 * m), rest = (load + sliding) / (2.0 * k);
+  const auto centre = [&](double t) { return 0.5 * d0 + 0.5 * v0 * t + 0.5 * push * t * t; };
+  const auto distance = [&](double t) {
+    return rest + (d0 - rest) * std::cos(w * t) + v0 / w * std::sin(w * t);
+  };
+  const double t = 0.2 - slips;
+  EXPECT_NEAR(first.dot(run.result.final.q), centre(t) - 0.5 * distance(t), 1e-10);
+  EXPECT_NEAR(second.dot(run.result.final.q), centre(t) + 0.5 * distance(t), 1e-10);
+  // Printed of a motion in steps.
+  EXPECT_NEAR(centre(0.15 - slips) - 0.5 * distance(0.15 - slips), 1.35332, 3e-5);
+  EXPECT_NEAR(centre(0.15 - slips) + 0.5 * distance(0.15 - slips), 1.80751, 3e-5);
+  // Without the load the first comes to rest, and sticks where the second swings about it.
+  system.modal().load.reset();
+  run = support::record_run(system, run.result.final, with_energy(0.2));
+  ASSERT_EQ(run.events.size(), 1u);
+  EXPECT_EQ(run.events[0].kind, EventKind::kFrictionStick);
+  EXPECT_NEAR(run.events[0].time + 0.2, 0.31492, 5e-6);
+  EXPECT_LE(std::abs(run.result.energy->defect()), 1e-12 * run.result.energy->size());
+}
+
+// A mass on a plane that is shaken along it by a(t) = mu g s sin(2 pi t), s as in SDND100 and 104:
+// below 1 it sticks for ever; above it slips when s sin = 1, and its velocity relative to the plane
+// is the integral of what exceeds the friction.
+TEST(Friction, SlidesOnAShakenPlane) {
+  for (const double s : {15.0, 1.5, 1.01, 0.99}) {
+    const double mu = 0.1 * 9.81, turn = 2.0 * std::numbers::pi;
+    System system{Vector::Zero(1), NaturalModes{Vector::Zero(1)}, {}};
+    system = support::forced(system, turn, -0.5 * std::numbers::pi, Vector::Constant(1, mu * s));
+    system.frictions.push_back(friction(Vector::Ones(1), mu, mu));
+    const auto run = support::record_run(system, support::rest(system), with_energy(0.45));
+    if (s < 1.0) {
+      EXPECT_TRUE(run.events.empty());
+      EXPECT_EQ(run.result.final.q[0], 0.0);
+      continue;
+    }
+    const double slips = std::asin(1.0 / s) / turn;
+    ASSERT_GE(run.events.size(), 1u);
+    EXPECT_EQ(run.events[0].kind, EventKind::kSlip);
+    EXPECT_NEAR(run.events[0].time, slips, 1e-10);
+    const auto velocity = [&](double t) {
+      return mu * (s / turn * (std::cos(turn * slips) - std::cos(turn * t)) - (t - slips));
+    };
+    double low = 0.5 - slips, high = 3.0;
+    for (int i = 0; i < 200; ++i) {
+      const double middle = 0.5 * (low + high);
+      (velocity(middle) > 0.0 ? low : high) = middle;
+    }
+    if (run.events.size() > 1)
+      EXPECT_NEAR(run.events[1].time, low, 1e-10);
+    else
+      EXPECT_NEAR(run.result.final.qdot[0], velocity(0.45), 1e-12);
+  }
+}
+
 System random_system(support::Dice& dice) {
   const int modes = 1 + dice.pick(3);
   System system{dice.vector(modes, 0.4, 4.0), NaturalModes{Vector::Zero(modes)}, {}};

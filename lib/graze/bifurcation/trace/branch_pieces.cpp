@@ -1,5 +1,7 @@
 #include "graze/bifurcation/trace/detail/branch_pieces.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "graze/continuation/branch/detail/growing_branch.hpp"
@@ -9,6 +11,11 @@ namespace {
 
 // Largest number of moves: over a branch contacts go round the section once or twice.
 constexpr int kMostMoves = 200;
+
+// How far beyond a corner a solution is looked for, in lengths of the range, and how far it may lie
+// from the last one: a jump of the motion is no corner.
+constexpr double kLeastBeyond = 1e-10, kMostBeyond = 1e-6;
+constexpr double kSameCorner = 1e-3;
 
 class PieceTracer {
  public:
@@ -52,15 +59,21 @@ class PieceTracer {
     for (int moves = 0; moves < kMostMoves; ++moves) {
       BranchPiece& outer = side == 0 ? pieces_.front() : pieces_.back();
       LaidOrbits* next = clearer_beyond(outer, side);
-      if (!next) return;
-      outer.branch.ends[side] = BranchEnd::kNotConverged;
       SolutionPoint end = side == 0 ? outer.branch.points.front() : outer.branch.points.back();
       if (side == 0) end.turn_round();
       const std::optional<SolutionPoint> carried =
-          (*outer.orbits)->carried_to(*next->problem, options_, end);
+          next ? (*outer.orbits)->carried_to(*next->problem, options_, end)
+               : beyond_corner(outer, side);
       if (!carried) return;
+      const bool is_corner = !next;
+      if (is_corner) next = outer.orbits;
       Branch branch = trace_one(*next, *carried, Directions::kForward);
       if (branch.points.size() < 2) return;
+      outer.branch.ends[side] = BranchEnd::kNotConverged;
+      if (is_corner) {
+        branch.points.insert(branch.points.begin(), end);
+        for (CriticalPoint& critical : branch.critical) ++critical.after;
+      }
       const std::optional<SolutionPoint> passed =
           of_start->carried_to(*next->problem, options_, start);
       if (passed && lies_on((*next)->problem(), options_, branch, *passed)) {
@@ -72,6 +85,29 @@ class PieceTracer {
       else
         pieces_.push_back({next, std::move(branch)});
     }
+  }
+
+  // The solution a little further on in the parameter, where a trace did not get round a corner.
+  std::optional<SolutionPoint> beyond_corner(const BranchPiece& piece, std::size_t side) const {
+    const std::vector<SolutionPoint>& points = piece.branch.points;
+    if (piece.branch.ends[side] != BranchEnd::kNotConverged || points.size() < 2) return {};
+    const SolutionPoint& end = side == 0 ? points[0] : points.back();
+    const SolutionPoint& before = side == 0 ? points[1] : points[points.size() - 2];
+    if (!piece.orbits->boundaries->has_corners(end)) return {};
+    const double ahead = end.parameter > before.parameter ? 1.0 : -1.0;
+    const double range = std::abs(options_.to - options_.from);
+    for (double step = kLeastBeyond; step <= kMostBeyond; step *= 10.0) {
+      const double value = end.parameter + ahead * step * range;
+      if (value < std::min(options_.from, options_.to) ||
+          value > std::max(options_.from, options_.to))
+        return {};
+      std::optional<SolutionPoint> there =
+          solve_at((*piece.orbits)->problem(), options_, end.u, value);
+      if (!there || !((there->u - end.u).norm() <= kSameCorner * (1.0 + end.u.norm()))) continue;
+      if (there->rate() * ahead < 0.0) there->turn_round();
+      return there;
+    }
+    return {};
   }
 
   // The equations for continuing beyond this end of a piece; null where the branch ends there.

@@ -124,7 +124,9 @@ class Parting {
     if (!orbits->system_at(critical.point.parameters())) return;
     Waypoint here{&critical.point, place_of(orbits, critical.point)};
     here.kept = is_of_orbits(critical) && !passes_unseen(critical);
-    if (here.kept && (is_of_level(critical.kind) || !here.place.at.orbit.impacts.empty())) {
+    const Orbit& orbit = here.place.at.orbit;
+    if (here.kept &&
+        (is_of_level(critical.kind) || !orbit.impacts.empty() || !orbit.rubbing.empty())) {
       here.place.at = with_critical(std::move(here.place.at), critical);
       here.place.special = as_special(critical, here.place.at);
     }

@@ -47,6 +47,9 @@ class BranchBoundaries {
   virtual bool goes_on(const SolutionPoint& previous, const SolutionPoint& here) = 0;
   virtual bool resolves(const SolutionPoint& /*from*/, const SolutionPoint& /*to*/) { return true; }
 
+  // Whether branches have corners, across which they go on with an unrelated tangent.
+  virtual bool has_corners(const SolutionPoint& /*at*/) const { return false; }
+
   // Adds the places strictly between two neighbours, in order.
   virtual void pass(const JudgedPoint& a, const JudgedPoint& b,
                     std::vector<BranchPlace>& places) = 0;

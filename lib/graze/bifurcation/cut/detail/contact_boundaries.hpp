@@ -25,6 +25,10 @@ class ContactBoundaries : public BranchBoundaries {
   }
   // Whether, if a contact is born or lost within the step, its grazing lies there too, and the
   // branch has not turned too far up to it.
+  bool has_corners(const SolutionPoint& at) const override {
+    const System* system = equations_.system_at(at.parameters());
+    return system && !system->frictions.empty();
+  }
   bool resolves(const SolutionPoint& from, const SolutionPoint& to) override;
   void pass(const JudgedPoint& a, const JudgedPoint& b, std::vector<BranchPlace>& places) override;
   std::optional<BranchTip> close(Branch& trace, std::size_t side) override;
