@@ -190,8 +190,11 @@ System random_system(support::Dice& dice) {
   }
   for (int k = dice.pick(3); k > 0; --k) {
     const Vector row = dice.vector(modes, -1.0, 1.0);
-    system.stops.push_back(
-        {row, dice.uniform(0.3, 1.2), ImpactLaw{momentum_direction(row), dice.uniform(0.3, 1.0)}});
+    const double gap = dice.uniform(0.3, 1.2);
+    system.stops.push_back({row, gap, ImpactLaw{momentum_direction(row), dice.uniform(0.3, 1.0)}});
+    if (dice.pick(3) == 0)
+      system.stops.back().law =
+          ContactForce{dice.uniform(2.0, 20.0), 1.0, ContactDamping::kNone, 0.0};
   }
   return system;
 }

@@ -1,4 +1,4 @@
-// A motion with dry friction and rigid stops, integrated in long double: Taylor series of the linear
+// A motion with dry friction, rigid stops and undamped linear springs, integrated in long double: Taylor series of the linear
 // equations in short steps, events by bisection, and at each event the one state of all friction at
 // rest, of those tried, that contradicts nothing.
 #pragma once
@@ -27,6 +27,8 @@ class FrictionReference {
 
   FrictionReference(const System& system, const State& start)
       : system_(system), n_(system.modes()), q_(start.q.cast<Real>()), v_(start.qdot.cast<Real>()) {
+    for (const Stop& stop : system.stops)
+      loaded_.push_back(stop.is_compliant() && stop.row.dot(start.q) > stop.gap);
     for (const Friction& one : system.frictions) {
       rows_.push_back(one.row.cast<Real>());
       const Real speed = rows_.back().dot(v_) - Real(one.speed);
@@ -56,6 +58,9 @@ class FrictionReference {
     Real rate = system_.forcing() ? Real(system_.forcing()->frequency) : Real(0);
     for (Eigen::Index j = 0; j < n_; ++j)
       rate = std::max<Real>(rate, Real(system_.omega[j]) + 2 * Real(system_.delta()[j]));
+    for (const Stop& stop : system_.stops)
+      if (stop.is_compliant())
+        rate += std::sqrt(Real(stop.force().stiffness)) * Real(stop.row.norm());
     return rate;
   }
   Reals loads(Real time) const {
@@ -68,8 +73,20 @@ class FrictionReference {
       sum -= Real(slides_[k]) * Real(system_.frictions[k].sliding) * rows_[k];
     return sum;
   }
+  // Of compressed springs, by places counted from these gaps, or from 0.
+  Reals pushed(const Reals& q, bool from_gaps) const {
+    Reals push = Reals::Zero(n_);
+    for (std::size_t i = 0; i < loaded_.size(); ++i) {
+      if (!loaded_[i]) continue;
+      const Stop& stop = system_.stops[i];
+      const Reals row = stop.row.cast<Real>();
+      push -= Real(stop.force().stiffness) *
+              (row.dot(q) - (from_gaps ? Real(stop.gap) : Real(0))) * row;
+    }
+    return push;
+  }
   Reals free_acceleration(const Reals& q, const Reals& v, Real time) const {
-    return loads(time) - 2 * system_.delta().cast<Real>().cwiseProduct(v) -
+    return pushed(q, true) + loads(time) - 2 * system_.delta().cast<Real>().cwiseProduct(v) -
            system_.omega.cast<Real>().cwiseAbs2().cwiseProduct(q);
   }
   std::vector<std::size_t> sticking() const {
@@ -107,7 +124,7 @@ class FrictionReference {
     Real power = 1, rate = 1;  // s^k/k!, w^k
     place.q += s * v_;
     for (int k = 0; k < 24; ++k) {
-      Reals force = -2 * system_.delta().cast<Real>().cwiseProduct(now) -
+      Reals force = pushed(before, k == 0) - 2 * system_.delta().cast<Real>().cwiseProduct(now) -
                     system_.omega.cast<Real>().cwiseAbs2().cwiseProduct(before);
       if (forcing) {
         const Real quarter[] = {std::cos(theta), -std::sin(theta), -std::cos(theta), std::sin(theta)};
@@ -131,7 +148,11 @@ class FrictionReference {
   // What must stay positive: gaps of stops, speeds of sliding, what is left of limits (both signs).
   std::vector<Real> margins(const Place& at) const {
     std::vector<Real> list;
-    for (const Stop& stop : system_.stops) list.push_back(Real(stop.gap) - stop.row.cast<Real>().dot(at.q));
+    for (std::size_t i = 0; i < loaded_.size(); ++i) {
+      const Stop& stop = system_.stops[i];
+      list.push_back((loaded_[i] ? Real(-1) : Real(1)) *
+                     (Real(stop.gap) - stop.row.cast<Real>().dot(at.q)));
+    }
     const Reals forces = held_forces(at);
     Eigen::Index held = 0;
     for (std::size_t k = 0; k < rows_.size(); ++k) {
@@ -186,6 +207,11 @@ class FrictionReference {
   }
   void happen(int which) {
     const auto stops = static_cast<int>(system_.stops.size());
+    if (which < stops && system_.stops[static_cast<std::size_t>(which)].is_compliant()) {
+      const auto i = static_cast<std::size_t>(which);
+      loaded_[i] = !loaded_[i];
+      return note(loaded_[i] ? EventKind::kContact : EventKind::kSeparation, which);
+    }
     if (which < stops) return impact(which);
     const auto k = static_cast<std::size_t>((which - stops) / 2);
     if (slides_[k] == kSticks) {
@@ -276,7 +302,7 @@ class FrictionReference {
   bool crowded_ = false;
   std::vector<Reals> rows_;
   std::vector<Slides> slides_;
-  std::vector<bool> ignored_;
+  std::vector<bool> ignored_, loaded_;
   std::vector<Happened> events_;
 };
 

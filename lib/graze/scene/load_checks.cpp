@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "graze/scene/detail/table_paths.hpp"
@@ -44,6 +45,12 @@ void check_frictions(const Scene& scene) {
       throw scene_error(scene, numbered_path("stop", k + 1) + ".spring",
                         "with dry friction a motion is followed exactly, and springs must be "
                         "linear, with \"kelvin-voigt\" damping or none");
+  constexpr int kMostModes = 128;  // kMostModesOnLinearSprings
+  const auto springs = [](const SceneStop& stop) { return stop.spring.has_value(); };
+  if (scene.modes() > kMostModes && std::any_of(scene.stops.begin(), scene.stops.end(), springs))
+    throw scene_error(scene, "friction",
+                      fmt::format("beside springs it is followed with at most {} modes",
+                                  kMostModes));
   for (std::size_t k = 0; k < scene.frictions.size(); ++k) {
     const DryFriction& friction = scene.frictions[k];
     const std::string table = numbered_path("friction", k + 1);

@@ -66,7 +66,8 @@ CoupledSystem coupled_by_springs(const PhaseKey& key, const SprungEquations& giv
   }
   // The frequency of each coordinate alone, springs included, balances the first-order form.
   const Vector quickest = coupled.stiffness.diagonal().cwiseMax(0.0).cwiseSqrt();
-  const double slowest = std::max(sprung.frequency, 1e-3 * quickest.maxCoeff());
+  const double slowest =
+      std::max(sprung.frequency, quickest.size() > 0 ? 1e-3 * quickest.maxCoeff() : 0.0);
   coupled.scale = quickest.cwiseMax(slowest > 0.0 ? slowest : 1.0);
   coupled.loads_vary = true;
   return coupled;
@@ -76,8 +77,10 @@ CoupledSystem coupled_by_springs(const PhaseKey& key, const SprungEquations& giv
 
 bool suits_linear_springs(const System& system, const PhaseKey& key) {
   if (system.modes() > kMostModesOnLinearSprings) return false;
-  // A structure that is held in all its coordinates does not move.
-  if (static_cast<int>(key.closed.size()) >= system.modes()) return false;
+  // A structure that is held in all its coordinates does not move; friction may hold it so, and lets
+  // go by its own event.
+  if (static_cast<int>(key.closed.size()) >= system.modes() && system.frictions.empty())
+    return false;
   if (!key.springs.resting.empty() || !key.untold.empty()) return false;
   const std::vector<int> stops = key.springs.all();
   return std::all_of(stops.begin(), stops.end(), [&](int i) {

@@ -39,6 +39,12 @@ Observable<double> linear_force(const ContactForce& law, const Observable<double
 SprungEquations sprung_equations(const System& system, const PhaseKey& key) {
   SprungEquations equations{ConstrainedStructure<double>(system, key.closed, key.places), {}};
   SprungSystem& sprung = equations.system;
+  ConstrainedStructure<double>& structure = equations.structure;
+  // What friction holds in all coordinates keeps one, as on a belt that stands still.
+  if (structure.size() == 0 && !system.frictions.empty()) {
+    structure.drift = structure.rows.col(0);
+    structure.has_real_modes = false;
+  }
   if (equations.structure.has_real_modes) {
     const LinearSystem<double>& modes = equations.structure.reduced;
     sprung.stiffness = modes.omega.cwiseAbs2();
@@ -65,7 +71,10 @@ void add_springs(const System& system, const PhaseKey& key,
     for (const int i : stops) {
       const Stop& stop = system.stops[static_cast<std::size_t>(i)];
       const Vector row = left_of_row(structure, stop.row);
-      const Vector acting = structure.left.size() > 0 ? Vector(structure.left * stop.row) : row;
+      Vector acting = structure.left.size() > 0 ? Vector(structure.left * stop.row) : row;
+      // Nothing moves what a belt carries along.
+      if (structure.drift.size() > 0)
+        acting[structure.size() - 1 - static_cast<Eigen::Index>(structure.units.size())] = 0.0;
       equations.springs.push_back({stop.force(), row, acting, loaded, stop.row, resting});
     }
   };

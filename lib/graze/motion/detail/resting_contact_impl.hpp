@@ -23,7 +23,7 @@ namespace graze {
 // only once it is known.
 template <class Real>
 void Motion<Real>::ask_the_motion() {
-  if (not_told_.empty() || turning_) return;
+  if (not_told_.empty() || turning_ || !frictions_.empty()) return;
   const std::vector<bool> moves = moving_modes();
   for (const int i : not_told_) {
     if (contact(i) != Contact::kClosed) continue;
@@ -43,7 +43,7 @@ void Motion<Real>::ask_the_motion() {
 template <class Real>
 void Motion<Real>::rest_untold(int i) {
   if (is_independent(i, held()))
-    set(i, Contact::kClosed, is_sprung() ? kHeldUntold : kHeldIdle);
+    set(i, Contact::kClosed, is_sprung() && frictions_.empty() ? kHeldUntold : kHeldIdle);
   else
     set(i, Contact::kLocked);
   phase_ = nullptr;

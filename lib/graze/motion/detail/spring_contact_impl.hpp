@@ -160,7 +160,9 @@ void Motion<Real>::decide_resting_springs() {
   }
   if (resting.empty()) return;
   const std::vector<bool> moves = moving_modes();
-  for (const int i : resting) set(i, Contact::kLocked, is_moved(i, moves) ? 1 : 0);
+  // Beside friction phases in closed form are needed, which cannot ask the motion.
+  const bool may_ask = frictions_.empty();
+  for (const int i : resting) set(i, Contact::kLocked, may_ask && is_moved(i, moves) ? 1 : 0);
   phase_ = nullptr;
 }
 
