@@ -127,9 +127,10 @@ int run(const ContinueCommand& command) {
   require_exact_flow(given, "branches are traced");
   const std::optional<Restart> restart = read_restart(command, given);
   const Scene& scene = restart ? restart->scene : given;
-  require_forcing_and_stop(scene);
+  require_forcing_and_contact(scene);
   require_harmonics(scene);
   BranchOptions options = branch_options(command);
+  if (scene.stops.empty()) options.impacts = 0;
   if (restart) start_from(*restart, command, options);
   if (std::optional<SettledStart> state = read_state(command, scene)) {
     options.settled = {std::move(*state)};

@@ -37,6 +37,10 @@ ContactOrders contact_orders_of(const System& system, const State& start,
 int run(const CostCommand& command) {
   check_plot<CostRecord>(command);
   const Scene scene = scene_of(command);
+  if (!scene.frictions.empty())
+    throw scene_error(scene, "friction",
+                      "steps do not know dry friction, so that their cost is not measured; "
+                      "[[friction]] must be left out");
   CostRecord record;
   record.info = info_of_call(command, scene);
   const System system = assemble(scene);

@@ -17,7 +17,7 @@ int run(const OrbitCommand& command) {
   check_plot<OrbitRecord>(command);
   const Scene scene = timed(scene_of(command));
   require_exact_flow(scene, "orbits are solved for");
-  require_forcing_and_stop(scene);
+  require_forcing_and_contact(scene);
   OrbitRecord record{info_of_call(command, scene), assemble(scene), {}, {}, {}, {}, {}};
   record.warnings = system_warnings(scene, record.system);
   warn(command, record.warnings);

@@ -49,7 +49,7 @@ inline Scene timed(Scene scene) {
 }
 
 // Periodic orbits repeat with the forcing and are made of impacts: both must be there.
-inline void require_forcing_and_stop(const Scene& scene) {
+inline void require_forcing(const Scene& scene) {
   if (!scene.forcing)
     throw scene_error(scene, "forcing",
                       "the table is missing; periodic orbits are counted in forcing periods");
@@ -57,10 +57,24 @@ inline void require_forcing_and_stop(const Scene& scene) {
     throw scene_error(scene, "forcing",
                       "the loads have no common period, after which a motion could repeat; such a "
                       "motion is simulated, and a diagram of it shows runs (--duration)");
-  if (scene.stops.empty() && scene.frictions.empty())
+}
+
+inline void require_forcing_and_stop(const Scene& scene) {
+  require_forcing(scene);
+  if (scene.stops.empty())
     throw scene_error(scene, "stop",
-                      "there is no [[stop]] and no [[friction]]; periodic orbits here have impacts, "
-                      "or rub");
+                      "there is no [[stop]]; only orbits and their branches are known of a "
+                      "structure that rubs alone");
+}
+
+// Of orbits, which have impacts or rub.
+inline void require_forcing_and_contact(const Scene& scene) {
+  require_forcing(scene);
+  if (scene.stops.empty() && scene.frictions.empty())
+    throw scene_error(
+        scene, "stop",
+        "there is no [[stop]] and no [[friction]]; periodic orbits here have impacts, "
+        "or rub");
 }
 
 inline bool has_signal(const Scene& scene) {

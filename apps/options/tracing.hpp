@@ -27,7 +27,8 @@ void describe(auto& v, OrbitCommand& o) {
   v.heading("Search for orbits");
   const bool any = o.any_impacts || !o.impacts;
   describe_impacts(v, o, 0, kMostPeriods,
-                   "Impacts k per orbit, on every sequence of stops; 0: orbits that meet no stop; 'any' (default): 1, then 2 "
+                   "Impacts k per orbit, on every sequence of stops; 0: orbits that meet no stop; "
+                   "'any' (default): 1, then 2 "
                    "and 3 while the structure is small, and what the simulation settles on",
                    kOfResult.as(any ? "any" : std::to_string(*o.impacts)));
 }

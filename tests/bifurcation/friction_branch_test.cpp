@@ -18,10 +18,11 @@ constexpr double kPi = std::numbers::pi;
 
 // A mass of 1 on a spring of 1.
 Scene oscillator(double damping, const std::string& more) {
-  return parse_scene("[lumped]\nmasses = [1.0]\n[[lumped.spring]]\nbetween = [0, 1]\n"
-                     "stiffness = 1.0\ndamping = " +
-                         std::to_string(damping) + "\n" + more,
-                     "oscillator");
+  return parse_scene(
+      "[lumped]\nmasses = [1.0]\n[[lumped.spring]]\nbetween = [0, 1]\n"
+      "stiffness = 1.0\ndamping = " +
+          std::to_string(damping) + "\n" + more,
+      "oscillator");
 }
 
 std::string forced(double frequency) {
@@ -67,7 +68,8 @@ TEST(FrictionBranch, ChangesTheOrderAtItsSpecialPoints) {
   for (const SpecialPoint& at : special) {
     std::vector<Orbit> beside;
     for (const double step : {-1e-6, 1e-6}) {
-      const auto near = followed_orbit(*family.at(at.at.value + step), turns_of(at.at.orbit), options);
+      const auto near =
+          followed_orbit(*family.at(at.at.value + step), turns_of(at.at.orbit), options);
       ASSERT_TRUE(near.orbit) << near.why_not;
       beside.push_back(*near.orbit);
     }
@@ -76,7 +78,8 @@ TEST(FrictionBranch, ChangesTheOrderAtItsSpecialPoints) {
 }
 
 std::string on_belt(double speed) {
-  return "[[friction]]\nmass = 1\nforce = 1.0\nstatic_force = 1.5\nspeed = " + std::to_string(speed);
+  return "[[friction]]\nmass = 1\nforce = 1.0\nstatic_force = 1.5\nspeed = " +
+         std::to_string(speed);
 }
 
 Scene on_belt(double damping, double speed) {

@@ -121,13 +121,17 @@ TEST(FrictionMap, HasTheSlopesOfItsDifferences) {
     const System* along = &tangent;
     const auto image = map.image(one.system, x, 0.3, 1, false, std::span(&along, 1));
     ASSERT_TRUE(image) << one.what;
-    const auto at = [&](const Vector& from) { return map.image(one.system, from, 0.3, 1, false, {})->image; };
+    const auto at = [&](const Vector& from) {
+      return map.image(one.system, from, 0.3, 1, false, {})->image;
+    };
     constexpr double kStep = 1e-6;
     for (Eigen::Index j = 0; j < 4; ++j) {
       const Vector by = kStep * Vector::Unit(4, j);
       const Vector slope = (at(x + by) - at(x - by)) / (2.0 * kStep);
       EXPECT_LE((slope - image->jacobian.col(j)).norm(), 2e-6 * (1.0 + slope.norm()))
-          << one.what << " " << j << "\n" << slope.transpose() << "\n" << image->jacobian.col(j).transpose();
+          << one.what << " " << j << "\n"
+          << slope.transpose() << "\n"
+          << image->jacobian.col(j).transpose();
     }
     const auto moved_to = [&](double step) {
       System moved = one.system;
@@ -151,7 +155,9 @@ TEST(FrictionMap, HasTheSlopesOfItsDifferences) {
     };
     const Vector slope = (moved_to(kStep) - moved_to(-kStep)) / (2.0 * kStep);
     EXPECT_LE((slope - image->by_parameters.col(0)).norm(), 2e-6 * (1.0 + slope.norm()))
-        << one.what << "\n" << slope.transpose() << "\n" << image->by_parameters.col(0).transpose();
+        << one.what << "\n"
+        << slope.transpose() << "\n"
+        << image->by_parameters.col(0).transpose();
   }
 }
 

@@ -1,6 +1,6 @@
-// A motion with dry friction, rigid stops and undamped linear springs, integrated in long double: Taylor series of the linear
-// equations in short steps, events by bisection, and at each event the one state of all friction at
-// rest, of those tried, that contradicts nothing.
+// A motion with dry friction, rigid stops and undamped linear springs, integrated in long double:
+// Taylor series of the linear equations in short steps, events by bisection, and at each event the
+// one state of all friction at rest, of those tried, that contradicts nothing.
 #pragma once
 
 #include <Eigen/LU>
@@ -18,7 +18,7 @@ class FrictionReference {
   using Real = long double;
   using Reals = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
   using RealMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
-  enum Slides { kBack = -1, kSticks = 0, kOn = 1 };
+  enum Slides { kBack = -1, kSticks = 0, kOn = 1, kIdle = 2 };  // idle: nothing presses there
   struct Happened {
     double time = 0.0;
     EventKind kind{};
@@ -32,7 +32,8 @@ class FrictionReference {
     for (const Friction& one : system.frictions) {
       rows_.push_back(one.row.cast<Real>());
       const Real speed = rows_.back().dot(v_) - Real(one.speed);
-      slides_.push_back(speed > 0 ? kOn : speed < 0 ? kBack : kSticks);
+      const bool idle = one.stop >= 0 && !loaded_[static_cast<std::size_t>(one.stop)];
+      slides_.push_back(idle ? kIdle : speed > 0 ? kOn : speed < 0 ? kBack : kSticks);
     }
     decide(standing());
     events_.clear();
@@ -70,8 +71,24 @@ class FrictionReference {
       sum += forcing->amplitude.cast<Real>() *
              std::cos(Real(forcing->frequency) * time + Real(forcing->phase));
     for (std::size_t k = 0; k < rows_.size(); ++k)
-      sum -= Real(slides_[k]) * Real(system_.frictions[k].sliding) * rows_[k];
+      if (system_.frictions[k].stop < 0)
+        sum -= Real(slides_[k]) * Real(system_.frictions[k].sliding) * rows_[k];
     return sum;
+  }
+  // The row of a spring with what slides there.
+  Reals pushing(std::size_t stop, Reals row) const {
+    for (std::size_t k = 0; k < rows_.size(); ++k)
+      if (system_.frictions[k].stop == static_cast<int>(stop) && slides_[k] != kIdle)
+        row += Real(slides_[k]) * Real(system_.frictions[k].sliding) * rows_[k];
+    return row;
+  }
+  // Up to which a friction sticks, N.
+  Real limit(std::size_t k, const Reals& q) const {
+    const Friction& one = system_.frictions[k];
+    if (one.stop < 0) return Real(one.sticking);
+    const Stop& stop = system_.stops[static_cast<std::size_t>(one.stop)];
+    return Real(one.sticking) * Real(stop.force().stiffness) *
+           (stop.row.cast<Real>().dot(q) - Real(stop.gap));
   }
   // Of compressed springs, by places counted from these gaps, or from 0.
   Reals pushed(const Reals& q, bool from_gaps) const {
@@ -80,8 +97,8 @@ class FrictionReference {
       if (!loaded_[i]) continue;
       const Stop& stop = system_.stops[i];
       const Reals row = stop.row.cast<Real>();
-      push -= Real(stop.force().stiffness) *
-              (row.dot(q) - (from_gaps ? Real(stop.gap) : Real(0))) * row;
+      push -= Real(stop.force().stiffness) * (row.dot(q) - (from_gaps ? Real(stop.gap) : Real(0))) *
+              pushing(i, row);
     }
     return push;
   }
@@ -97,7 +114,8 @@ class FrictionReference {
   }
   RealMatrix rows_of(const std::vector<std::size_t>& list) const {
     RealMatrix rows(n_, static_cast<Eigen::Index>(list.size()));
-    for (std::size_t a = 0; a < list.size(); ++a) rows.col(static_cast<Eigen::Index>(a)) = rows_[list[a]];
+    for (std::size_t a = 0; a < list.size(); ++a)
+      rows.col(static_cast<Eigen::Index>(a)) = rows_[list[a]];
     return rows;
   }
   // Forces of what sticks, N, in its order.
@@ -127,13 +145,15 @@ class FrictionReference {
       Reals force = pushed(before, k == 0) - 2 * system_.delta().cast<Real>().cwiseProduct(now) -
                     system_.omega.cast<Real>().cwiseAbs2().cwiseProduct(before);
       if (forcing) {
-        const Real quarter[] = {std::cos(theta), -std::sin(theta), -std::cos(theta), std::sin(theta)};
+        const Real quarter[] = {std::cos(theta), -std::sin(theta), -std::cos(theta),
+                                std::sin(theta)};
         force += forcing->amplitude.cast<Real>() * (rate * quarter[k % 4]);
       }
       if (k == 0) {
         force += system_.load() ? Reals(system_.load()->cast<Real>()) : Reals(Reals::Zero(n_));
         for (std::size_t i = 0; i < rows_.size(); ++i)
-          force -= Real(slides_[i]) * Real(system_.frictions[i].sliding) * rows_[i];
+          if (system_.frictions[i].stop < 0)
+            force -= Real(slides_[i]) * Real(system_.frictions[i].sliding) * rows_[i];
       }
       const Reals next = held(force);
       power *= s / (k + 1);
@@ -158,8 +178,11 @@ class FrictionReference {
     for (std::size_t k = 0; k < rows_.size(); ++k) {
       const Friction& one = system_.frictions[k];
       if (slides_[k] == kSticks) {
-        list.push_back(Real(one.sticking) - forces[held]);
-        list.push_back(Real(one.sticking) + forces[held++]);
+        list.push_back(limit(k, at.q) - forces[held]);
+        list.push_back(limit(k, at.q) + forces[held++]);
+      } else if (slides_[k] == kIdle) {
+        list.push_back(1);
+        list.push_back(1);
       } else {
         list.push_back(Real(slides_[k]) * (rows_[k].dot(at.v) - Real(one.speed)));
         list.push_back(1);
@@ -210,6 +233,11 @@ class FrictionReference {
     if (which < stops && system_.stops[static_cast<std::size_t>(which)].is_compliant()) {
       const auto i = static_cast<std::size_t>(which);
       loaded_[i] = !loaded_[i];
+      for (std::size_t k = 0; k < rows_.size(); ++k) {
+        if (system_.frictions[k].stop != which) continue;
+        const Real speed = rows_[k].dot(v_) - Real(system_.frictions[k].speed);
+        slides_[k] = !loaded_[i] ? kIdle : speed > 0 ? kOn : kBack;
+      }
       return note(loaded_[i] ? EventKind::kContact : EventKind::kSeparation, which);
     }
     if (which < stops) return impact(which);
@@ -234,6 +262,7 @@ class FrictionReference {
     note(EventKind::kImpact, i);
     std::vector<std::size_t> still;
     for (std::size_t k = 0; k < rows_.size(); ++k) {
+      if (slides_[k] == kIdle) continue;
       const Real slip = rows_[k].dot(v_) - Real(system_.frictions[k].speed);
       if (std::abs(slip) < Real(1e-16)) {
         still.push_back(k);
@@ -255,18 +284,21 @@ class FrictionReference {
     std::vector<std::pair<int, int>> order;  // how many slide, which trial
     for (int trial = 0; trial < all; ++trial) {
       int slide = 0;
-      for (int rest = trial, a = 0; a < static_cast<int>(list.size()); ++a, rest /= 3) slide += rest % 3 != 0;
+      for (int rest = trial, a = 0; a < static_cast<int>(list.size()); ++a, rest /= 3)
+        slide += rest % 3 != 0;
       order.push_back({slide, trial});
     }
     std::sort(order.begin(), order.end());
     for (const auto& [count, trial] : order) {
       for (int rest = trial, a = 0; a < static_cast<int>(list.size()); ++a, rest /= 3)
-        slides_[list[static_cast<std::size_t>(a)]] = rest % 3 == 0 ? kSticks : rest % 3 == 1 ? kOn : kBack;
+        slides_[list[static_cast<std::size_t>(a)]] = rest % 3 == 0   ? kSticks
+                                                     : rest % 3 == 1 ? kOn
+                                                                     : kBack;
       if (fits(list)) break;
     }
     for (const std::size_t k : list) {
       if (slides_[k] == before[k]) continue;
-      note(slides_[k] == kSticks    ? EventKind::kFrictionStick
+      note(slides_[k] == kSticks  ? EventKind::kFrictionStick
            : before[k] == kSticks ? EventKind::kSlip
                                   : EventKind::kReversal,
            static_cast<int>(k));
@@ -285,7 +317,7 @@ class FrictionReference {
     const Reals forces = held_forces(at);
     const std::vector<std::size_t> held = sticking();
     for (std::size_t a = 0; a < held.size(); ++a)
-      if (std::abs(forces[static_cast<Eigen::Index>(a)]) > Real(system_.frictions[held[a]].sticking) + Real(1e-15))
+      if (std::abs(forces[static_cast<Eigen::Index>(a)]) > limit(held[a], q_) + Real(1e-15))
         return false;
     Reals acceleration = free_acceleration(q_, v_, time_);
     if (!held.empty()) acceleration -= rows_of(held) * forces;
@@ -293,7 +325,9 @@ class FrictionReference {
       return slides_[k] == kSticks || Real(slides_[k]) * rows_[k].dot(acceleration) > 0;
     });
   }
-  void note(EventKind kind, int index) { events_.push_back({static_cast<double>(time_), kind, index}); }
+  void note(EventKind kind, int index) {
+    events_.push_back({static_cast<double>(time_), kind, index});
+  }
 
   const System& system_;
   Eigen::Index n_;

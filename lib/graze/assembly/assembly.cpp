@@ -11,8 +11,8 @@
 #include "graze/assembly/detail/spring_law.hpp"
 #include "graze/contact/detail/impulse.hpp"
 #include "graze/scene/check.hpp"
-#include "graze/scene/parameter.hpp"
 #include "graze/scene/detail/table_paths.hpp"
+#include "graze/scene/parameter.hpp"
 
 namespace graze {
 namespace {
@@ -50,8 +50,8 @@ Stop stop_tangent(const SceneStop& stop, const SceneStop& rate, const Stop& asse
 }
 
 Friction assemble_friction(const DryFriction& friction, const Vector& shape) {
-  return {shape, momentum_direction(shape), friction.sliding(), friction.sticking(),
-          friction.speed};
+  return {shape,          momentum_direction(shape), friction.sliding(), friction.sticking(),
+          friction.speed, friction.stop - 1};
 }
 
 // What friction acts on must be independent: how friction that is statically indeterminate shares
@@ -140,7 +140,8 @@ System system_tangent(const Scene& scene, const Scene& direction, const ModalMod
     const DryFriction &friction = scene.frictions[k], &moved = direction.frictions[k];
     tangent.frictions.push_back(
         {rate.frictions[k], momentum_direction_rate(system.frictions[k].row, rate.frictions[k]),
-         friction.sliding_rate(moved), friction.sticking_rate(moved), moved.speed});
+         friction.sliding_rate(moved), friction.sticking_rate(moved), moved.speed,
+         friction.stop - 1});
   }
   return tangent;
 }

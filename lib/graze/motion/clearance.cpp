@@ -168,7 +168,7 @@ std::optional<double> smallest_minimum(const ArcCurve<double>& curve, int multip
 
 LastingClearance::LastingClearance(const System& system, const ExactFlow<double>& flow)
     : omega_(system.omega), steady_{Vector(system.modes()), Vector(system.modes())} {
-  if (!flow.forced() || !system.has_closed_forms()) return;
+  if (!flow.forced() || !system.has_closed_forms() || !system.frictions.empty()) return;
   const double theta = flow.phase({});
   const double c = std::cos(theta), n = std::sin(theta), frequency = flow.frequency();
   for (int j = 0; j < system.modes(); ++j) {

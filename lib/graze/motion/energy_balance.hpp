@@ -20,8 +20,8 @@ struct EnergyBalance {
 
   // The difference of both sides, and the size of the largest entry to compare it with.
   double defect() const {
-    return start + work.forcing + work.load + work.constraint + work.stops + work.friction + impacts +
-           work.contact - work.dissipation - now;
+    return start + work.forcing + work.load + work.constraint + work.stops + work.friction +
+           impacts + work.contact - work.dissipation - now;
   }
   double size() const {
     return std::fmax(

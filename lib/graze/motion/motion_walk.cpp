@@ -182,8 +182,7 @@ std::string MotionWalk<Real>::failure() const {
       return std::is_same_v<Real, double> ? "the motion left the range of double precision"
                                           : "the motion left the range of the numbers";
     default:
-      return fmt::format("the motion{} cannot be followed: {}",
-                         at_stop ? " on " + place : "",
+      return fmt::format("the motion{} cannot be followed: {}", at_stop ? " on " + place : "",
                          motion_.refusal());
   }
 }

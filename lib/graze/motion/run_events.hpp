@@ -39,8 +39,8 @@ struct Event {
   // share a chatter are reported one by one; the energy stands with the one hit last (fastest).
   long long impacts = 0;
   double closure_speed = 0.0;
-  // Stick: the contact force that sets in, N; of friction what it exerts along -u. Slip and reversal:
-  // `direction` is the way it slides, 1 or -1.
+  // Stick: the contact force that sets in, N; of friction what it exerts along -u. Slip and
+  // reversal: `direction` is the way it slides, 1 or -1.
   double force = 0.0;
   // Contact: speed and phase as for an impact. Separation: the speed away from the stop; the
   // duration of the contact, s; its largest force, N; its coefficient of restitution, absent where

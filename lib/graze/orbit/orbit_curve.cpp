@@ -107,6 +107,13 @@ std::vector<bool> fly_segments(const System& system, const Orbit& orbit,
 
 std::vector<bool> fly_orbit(const System& system, const Orbit& orbit,
                             const OrbitListeners& listeners) {
+  if (orbit.lasts) {
+    System timed = system;
+    timed.modal().forcing->frequency = kTurn * orbit.period / *orbit.lasts;
+    Orbit same = orbit;
+    same.lasts.reset();
+    return fly_orbit(timed, same, listeners);
+  }
   if (orbit.section && (orbit.meets_stops() || !system.frictions.empty()))
     return fly_segments(system, orbit, listeners);
   // Of several loads, or damping that couples modes, too.

@@ -113,8 +113,7 @@ struct BranchRecord {
 // The entries of a balance for effects that the system has, J: no load without gravity, no impacts
 // without rigid stops, no dissipation without damping.
 struct EnergyEntries {
-  std::optional<double> forcing, load, constraint, impacts, dissipation, contact, stops,
-      friction;
+  std::optional<double> forcing, load, constraint, impacts, dissipation, contact, stops, friction;
 };
 EnergyEntries energy_entries(const System& system, const EnergyBalance& balance);
 // The defect of the balance relative to its largest entry.

@@ -28,6 +28,20 @@ bool is_linear(const Spring& spring) {
          (!spring.damping || spring.damping->model == ContactModel::kKelvinVoigt);
 }
 
+void check_friction_at_stop(const ValueChecker& checker, const Scene& scene,
+                            const DryFriction& friction) {
+  const auto count = static_cast<int>(scene.stops.size());
+  if (friction.stop < 1 || friction.stop > count)
+    checker.fail("stop", fmt::format("there is no stop {}, it must be the number of one of {}",
+                                     friction.stop, count));
+  if (!scene.stops[static_cast<std::size_t>(friction.stop) - 1].spring)
+    checker.fail("stop",
+                 "what friction does to a body that hits a rigid stop needs a law of its own, the "
+                 "stop must have a spring");
+  if (friction.speed != 0.0)
+    checker.fail("speed", "a belt at a stop is not known, it must be left out");
+}
+
 }  // namespace
 
 void check_frictions(const Scene& scene) {
@@ -45,19 +59,35 @@ void check_frictions(const Scene& scene) {
       throw scene_error(scene, numbered_path("stop", k + 1) + ".spring",
                         "with dry friction a motion is followed exactly, and springs must be "
                         "linear, with \"kelvin-voigt\" damping or none");
+  if (scene.has_moving_stop() || scene.has_load(ForcingKind::kSupport))
+    throw scene_error(scene, "friction",
+                      "beside stops or supports that move friction is not known, [[friction]] must "
+                      "be left out");
   constexpr int kMostModes = 128;  // kMostModesOnLinearSprings
   const auto springs = [](const SceneStop& stop) { return stop.spring.has_value(); };
   if (scene.modes() > kMostModes && std::any_of(scene.stops.begin(), scene.stops.end(), springs))
-    throw scene_error(scene, "friction",
-                      fmt::format("beside springs it is followed with at most {} modes",
-                                  kMostModes));
+    throw scene_error(
+        scene, "friction",
+        fmt::format("beside springs it is followed with at most {} modes", kMostModes));
   for (std::size_t k = 0; k < scene.frictions.size(); ++k) {
     const DryFriction& friction = scene.frictions[k];
     const std::string table = numbered_path("friction", k + 1);
     check_load_point(scene, friction, table);
+    if (const Span* span = scene.span()) {
+      const bool at_start = friction.position == 0.0, at_end = friction.position == span->length;
+      if ((at_start && span->ends[0] != Hold::kFree && span->ends[0] != Hold::kSpring) ||
+          (at_end && span->ends[1] != Hold::kFree && span->ends[1] != Hold::kSpring))
+        throw scene_error(scene, table + ".position",
+                          fmt::format("{} is not allowed, the {} is held there", friction.position,
+                                      scene.structure_name()));
+    }
     const ValueChecker checker(scene, table);
     if (!friction.force && !friction.coefficient)
-      checker.fail("force", "the key is missing, it must be given, or coefficient and normal_force");
+      checker.fail("force",
+                   "the key is missing, it must be given, or coefficient and normal_force");
+    if (friction.coefficient && friction.stop == 0 && !friction.normal_force)
+      checker.fail("normal_force", "the key is missing, it must be given, or stop");
+    if (friction.stop != 0) check_friction_at_stop(checker, scene, friction);
     if (friction.sticking() < friction.sliding())
       checker.fail(friction.static_force ? "static_force" : "static_coefficient",
                    fmt::format("it gives {} at rest and {} in sliding, it must be at least as much "

@@ -159,21 +159,27 @@ struct PointLoad : StructurePoint {
 struct DryFriction : StructurePoint {
   std::optional<double> force, coefficient, normal_force;  // N, 1, N
   std::optional<double> static_force, static_coefficient;  // up to which it sticks; as sliding
-  double speed = 0.0;                                        // m/s along +u, of a belt
+  double speed = 0.0;                                      // m/s along +u, of a belt
+  int stop = 0;  // number of a stop, from 1, whose spring presses there; 0: none
 
-  double sliding() const { return force ? *force : *coefficient * *normal_force; }  // N
+  // N; at a stop parts of the force of its spring.
+  double sliding() const {
+    return force ? *force : stop > 0 ? *coefficient : *coefficient * *normal_force;
+  }
   double sticking() const {
     return static_force         ? *static_force
-           : static_coefficient ? *static_coefficient * *normal_force
+           : static_coefficient ? *static_coefficient * (stop > 0 ? 1.0 : *normal_force)
                                 : sliding();
   }
   // Their derivatives as the numbers change by `rate`.
   double sliding_rate(const DryFriction& rate) const {
-    return force ? *rate.force
-                 : *rate.coefficient * *normal_force + *coefficient * *rate.normal_force;
+    return force      ? *rate.force
+           : stop > 0 ? *rate.coefficient
+                      : *rate.coefficient * *normal_force + *coefficient * *rate.normal_force;
   }
   double sticking_rate(const DryFriction& rate) const {
-    return static_force ? *rate.static_force
+    return static_force                     ? *rate.static_force
+           : static_coefficient && stop > 0 ? *rate.static_coefficient
            : static_coefficient
                ? *rate.static_coefficient * *normal_force + *static_coefficient * *rate.normal_force
                : sliding_rate(rate);

@@ -8,8 +8,8 @@ namespace graze {
 namespace {
 
 constexpr const char* kLists[] = {
-    "stop",        "probe",         "beam.piece",       "beam.support",   "beam.mass",
-    "string.mass", "bar.piece",     "bar.support",      "string.support", "bar.mass",
+    "stop",        "probe",         "beam.piece",        "beam.support",   "beam.mass",
+    "string.mass", "bar.piece",     "bar.support",       "string.support", "bar.mass",
     "load",        "lumped.spring", "lumped.gyroscopic", "friction"};
 
 // A table, or the first of several.

@@ -26,9 +26,8 @@ double forced_reach_at(const System& system, const Vector& row) {
   const double frequency = system.forcing()->frequency;
   const Vector force = system.forcing()->size();
   for (Eigen::Index j = 0; j < system.omega.size(); ++j)
-    reach =
-        std::max(reach, std::abs((system.coupling() ? row.norm() : row[j]) * force[j]) /
-                            std::max(system.omega[j] * system.omega[j], frequency * frequency));
+    reach = std::max(reach, std::abs((system.coupling() ? row.norm() : row[j]) * force[j]) /
+                                std::max(system.omega[j] * system.omega[j], frequency * frequency));
   return reach;
 }
 

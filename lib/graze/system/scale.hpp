@@ -14,7 +14,7 @@ double reach_at(const System& system, const Stop& stop);
 
 // Units of the forced motion.
 struct MotionScale {
-  double length = 1.0;        // m: the largest of the gaps and of what forcing and dry friction move
+  double length = 1.0;  // m: the largest of the gaps and of what forcing and dry friction move
   double speed = 1.0;         // m/s: that times the forcing frequency
   double displacement = 1.0;  // kg^1/2 m: the length as a modal displacement
   // kg^1/2 m/s, N: for each mode the displacement times the faster of mode and forcing. In units of

@@ -93,12 +93,13 @@ struct Stop {
 };
 
 // Dry friction by Coulomb's law: R = sliding sign(v), v = row.q' - speed, and |R| <= sticking while
-// v = 0.
+// v = 0. At a compliant stop both are parts of the force of its spring.
 struct Friction {
   Vector row;                            // kg^-1/2, N
   Vector direction;                      // d = row/(row.row), kg^1/2, N
-  double sliding = 0.0, sticking = 0.0;  // N
+  double sliding = 0.0, sticking = 0.0;  // N, or parts
   double speed = 0.0;                    // m/s, of a belt that it acts from
+  int stop = -1;                         // whose spring presses there; -1: none
 };
 
 struct State {

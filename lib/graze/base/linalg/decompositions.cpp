@@ -168,10 +168,11 @@ ComplexModes complex_modes(const Matrix& matrix) {
   // The solver returns no valid vectors for a pair that coincides to the last bit.
   const double residual =
       (matrix.cast<Complex>() * modes.vectors - modes.vectors * modes.values.asDiagonal()).norm();
-  const double rounding = kRoundingsOfModes * static_cast<double>(matrix.rows()) *
-                          std::numeric_limits<double>::epsilon() * matrix.norm() *
-                          modes.vectors.norm();
-  if (std::isfinite(condition) && residual <= rounding) modes.condition = condition;
+  const double backward = kRoundingsOfModes * static_cast<double>(matrix.rows()) *
+                          std::numeric_limits<double>::epsilon() * matrix.norm();
+  modes.error = backward * condition;  // by Bauer and Fike
+  if (std::isfinite(condition) && residual <= backward * modes.vectors.norm())
+    modes.condition = condition;
   return modes;
 }
 

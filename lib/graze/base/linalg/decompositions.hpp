@@ -30,6 +30,7 @@ struct ComplexModes {
   ComplexVector values;
   Eigen::MatrixXcd vectors, inverse;  // V, V^-1
   double condition = 0.0;             // |V| |V^-1| (Frobenius), at least n; infinite when defective
+  double error = 0.0;                 // of the values, of the matrix's unit
 };
 ComplexModes complex_modes(const Matrix& matrix);
 

@@ -84,8 +84,8 @@ void ContactBoundaries::pass(const JudgedPoint& a, const JudgedPoint& b,
   places.back().begins = true;
 }
 
-// By the parameter alone, where the branch has a corner that steps along it do not pass. The side on
-// which the test is positive is told.
+// By the parameter alone, where the branch has a corner that steps along it do not pass. The side
+// on which the test is positive is told.
 std::optional<SolutionPoint> ContactBoundaries::halved(
     SolutionPoint low, SolutionPoint high,
     const std::function<double(const SolutionPoint&)>& test) const {

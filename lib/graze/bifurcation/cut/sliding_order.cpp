@@ -6,9 +6,7 @@
 namespace graze {
 namespace {
 
-double turned(const OrbitRubbing& event) {
-  return event.at.phase + kTurn * event.at.period_index;
-}
+double turned(const OrbitRubbing& event) { return event.at.phase + kTurn * event.at.period_index; }
 
 // The events of one friction.
 std::vector<OrbitRubbing> events_of(const Orbit& orbit, int friction) {
@@ -48,9 +46,9 @@ bool has_same_sliding(const Orbit& a, const Orbit& b) {
 // The fall vanishes with the root of the distance along a branch.
 bool ends_as_a_tangent(const Orbit& orbit) {
   constexpr double kHardly = 1e-2;
-  return std::any_of(
-      orbit.rubbing.begin(), orbit.rubbing.end(),
-      [](const OrbitRubbing& event) { return event.fall > 0.0 && event.fall < kHardly; });
+  return std::any_of(orbit.rubbing.begin(), orbit.rubbing.end(), [](const OrbitRubbing& event) {
+    return event.fall > 0.0 && event.fall < kHardly;
+  });
 }
 
 SpecialKind kind_of_change(const Orbit& orbit) {
@@ -68,11 +66,11 @@ SpecialKind kind_of_change(const Orbit& orbit) {
       shortest = lasts;
       const Rubs before = events[(i + n - 1) % n].what;
       const bool rests = here.what == Rubs::kSticks;
-      kind = rests ? (before == next.what ? SpecialKind::kGrazingSliding
-                                          : SpecialKind::kCrossingSliding)
-             : before == Rubs::kSticks && next.what == Rubs::kSticks
-                 ? SpecialKind::kAddingSliding
-                 : SpecialKind::kSwitchingSliding;
+      kind =
+          rests
+              ? (before == next.what ? SpecialKind::kGrazingSliding : SpecialKind::kCrossingSliding)
+          : before == Rubs::kSticks && next.what == Rubs::kSticks ? SpecialKind::kAddingSliding
+                                                                  : SpecialKind::kSwitchingSliding;
     }
   }
   return kind;

@@ -56,8 +56,8 @@ double reach_of(const std::vector<PassedContact>& some, const std::vector<Passed
 bool is_smooth(const Stop& stop) { return stop.is_compliant() && stop.force().sets_in_smoothly(); }
 
 // The forcing phase, rad, farthest from the beginnings and ends of contacts and from what friction
-// does; with `jumps` only of those at which the derivative jumps. Returns nullopt when there are none, or when theta is at
-// least a part of that far from them.
+// does; with `jumps` only of those at which the derivative jumps. Returns nullopt when there are
+// none, or when theta is at least a part of that far from them.
 std::optional<double> section_clear_of(const System& system, const Orbit& orbit, double theta,
                                        bool jumps) {
   // Far enough for a step, near enough for few moves.
@@ -290,8 +290,7 @@ std::optional<double> SegmentEquations::clearer_section(const SolutionPoint& sol
 
 std::unique_ptr<OrbitProblem> SegmentEquations::clear_of_contacts(const Vector& u,
                                                                   Parameters at) const {
-  const System* system =
-      layout().released || shooting_.is_free() ? nullptr : system_at(at);
+  const System* system = layout().released || shooting_.is_free() ? nullptr : system_at(at);
   const std::optional<Orbit> orbit = system ? orbit_of(*system, shooting_, u, {}) : std::nullopt;
   const std::optional<double> section =
       orbit ? section_clear_of(*system, *orbit, layout().theta, false) : std::nullopt;

@@ -68,8 +68,8 @@ ContactTrial<Real> try_contacts(const RealMatrix<Real>& delassus, const RealVect
   const RealVector<Real> w = v - delassus * p;
   const RealVector<Real> own = rounding_of_action(delassus, p);
   for (int i = 0; i < n && trial.violated < 0; ++i) {
-    const bool fits =
-        (set >> i & 1) != 0 ? own_action(delassus, p, i) >= -rounding[i] : w[i] <= rounding[i] + own[i];
+    const bool fits = (set >> i & 1) != 0 ? own_action(delassus, p, i) >= -rounding[i]
+                                          : w[i] <= rounding[i] + own[i];
     if (!fits) trial.violated = i;
   }
   return trial;

@@ -40,7 +40,7 @@ inline constexpr int kHeldIdle = 3;
 // What dry friction does from an event on.
 enum class Rubs { kSticks, kForward, kBackward };
 
-// Of dry friction that is touching: how it slid before.
+// Of dry friction that is touching: how it slid before; that is locked: how it leans.
 inline constexpr int kCameForward = 1;
 inline constexpr int kCameBackward = 2;
 

@@ -14,7 +14,7 @@ bool are_usable(const ComplexModes& modes, const FirstOrderSystem& system, doubl
     const bool resonant = forced &&
                           std::abs(Complex(0.0, system.frequency) - l) * kLargestLoss < std::abs(l);
     const bool soft = std::abs(l) * kLargestLoss * kLargestLoss < quickest;
-    if (resonant || (soft && loaded)) return false;
+    if (resonant || (soft && loaded) || l.real() > modes.error) return false;
   }
   return true;
 }

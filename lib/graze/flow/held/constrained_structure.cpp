@@ -87,7 +87,8 @@ void add_drift(ConstrainedStructure<double>& held, const Matrix& left, CoupledSy
   coupled.force = padded(coupled.force, all, 1);
   coupled.stiffness.col(m).head(m) = left * held.whole.omega.cwiseAbs2().cwiseProduct(along);
   coupled.damping.col(m).head(m) =
-      left * (held.whole.coupling.size() > 0 ? Vector(slowed + held.whole.coupling * along) : slowed);
+      left *
+      (held.whole.coupling.size() > 0 ? Vector(slowed + held.whole.coupling * along) : slowed);
   held.basis = padded(held.basis, n, all);
   held.basis.col(m) = along;
   held.reduced.omega = padded(held.reduced.omega, all, 1);

@@ -18,6 +18,17 @@ Matrix directions_of(const System& system, const std::vector<int>& stops) {
   return directions;
 }
 
+Vector pushing_row(const System& system, int stop, const std::vector<Contact>& frictions) {
+  Vector row = system.stops[static_cast<std::size_t>(stop)].row;
+  for (std::size_t k = 0; k < frictions.size(); ++k) {
+    const Friction& friction = system.frictions[k];
+    if (friction.stop != stop) continue;
+    if (frictions[k] == Contact::kForward) row += friction.sliding * friction.row;
+    if (frictions[k] == Contact::kBackward) row -= friction.sliding * friction.row;
+  }
+  return row;
+}
+
 Matrix contact_share(const System& system, const std::vector<int>& closed) {
   const Matrix rows = rows_of(system, closed);
   return LuFactors(rows.transpose() * directions_of(system, closed))

@@ -38,7 +38,7 @@ std::vector<Observable<double>> observables_of(const System& system, const Phase
     Observable<double>& seen = list[static_cast<std::size_t>(structure.constrained[c])];
     for (std::size_t k = 0; k < key.springs.loaded.size(); ++k) {
       const SprungSystem::Spring& spring = given.system.springs[k];
-      const double weight = -share.dot(spring.whole_row);
+      const double weight = -share.dot(spring.pushing);
       const Observable<double> force = linear_force(spring.law, depths[k]);
       seen.constant += weight * force.constant;
       seen.displacement += weight * force.displacement;
@@ -77,8 +77,8 @@ CoupledSystem coupled_by_springs(const PhaseKey& key, const SprungEquations& giv
 
 bool suits_linear_springs(const System& system, const PhaseKey& key) {
   if (system.modes() > kMostModesOnLinearSprings) return false;
-  // A structure that is held in all its coordinates does not move; friction may hold it so, and lets
-  // go by its own event.
+  // A structure that is held in all its coordinates does not move; friction may hold it so, and
+  // lets go by its own event.
   if (static_cast<int>(key.closed.size()) >= system.modes() && system.frictions.empty())
     return false;
   if (!key.springs.resting.empty() || !key.untold.empty()) return false;
@@ -98,6 +98,15 @@ LinearSpringPhase::LinearSpringPhase(const System& system, const PhaseKey& key,
       equations_(given.system),
       stops_(key.springs.all()),
       spring_arc_{this->key(), structure(), equations_, depths_, depths_of(system, key, given)} {
+  for (std::size_t k = 0; k < system.frictions.size(); ++k) {
+    const auto pressed =
+        std::find(key.springs.loaded.begin(), key.springs.loaded.end(), system.frictions[k].stop);
+    if (pressed == key.springs.loaded.end()) continue;
+    const auto place = static_cast<std::size_t>(pressed - key.springs.loaded.begin());
+    limit_friction(
+        k, times(system.frictions[k].sticking, linear_force(equations_.springs[place].law,
+                                                            spring_arc_.depth_observables[place])));
+  }
   for (const Stop& stop : system.stops) stop_rows_.push_back(stop.row);
   for (const int i : stops_) {
     rows_.push_back(system.stops[static_cast<std::size_t>(i)].row);

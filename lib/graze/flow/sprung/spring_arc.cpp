@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "graze/flow/held/detail/contact_share.hpp"
 #include "graze/system/detail/gap_value.hpp"
 
 namespace graze {
@@ -71,11 +72,14 @@ void add_springs(const System& system, const PhaseKey& key,
     for (const int i : stops) {
       const Stop& stop = system.stops[static_cast<std::size_t>(i)];
       const Vector row = left_of_row(structure, stop.row);
-      Vector acting = structure.left.size() > 0 ? Vector(structure.left * stop.row) : row;
+      const Vector pushing = pushing_row(system, i, key.frictions);
+      Vector acting = structure.left.size() > 0 ? Vector(structure.left * pushing)
+                      : pushing == stop.row     ? row
+                                                : structure.seen(pushing);
       // Nothing moves what a belt carries along.
       if (structure.drift.size() > 0)
         acting[structure.size() - 1 - static_cast<Eigen::Index>(structure.units.size())] = 0.0;
-      equations.springs.push_back({stop.force(), row, acting, loaded, stop.row, resting});
+      equations.springs.push_back({stop.force(), row, acting, loaded, stop.row, resting, pushing});
     }
   };
   add(key.springs.loaded, true, false);
@@ -89,7 +93,7 @@ Vector spring_push(const SprungSystem& equations, const std::vector<double>& dep
   for (std::size_t k = 0; k < depths.size(); ++k) {
     const SprungSystem::Spring& spring = equations.springs[k];
     if (spring.loaded)
-      push += spring.law.at(depths[k], spring.whole_row.dot(qdot)) * spring.whole_row;
+      push += spring.law.at(depths[k], spring.whole_row.dot(qdot)) * spring.pushing;
   }
   return push;
 }
@@ -103,7 +107,7 @@ Vector spring_push_rate(const SprungSystem& equations, const std::vector<double>
     const double rate = spring.whole_row.dot(qdot);
     push += (spring.law.by_depth(depths[k], rate) * rate +
              spring.law.by_rate(depths[k], rate) * spring.whole_row.dot(acceleration)) *
-            spring.whole_row;
+            spring.pushing;
   }
   return push;
 }

@@ -1,5 +1,6 @@
 #include "graze/flow/variation/arc_work.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -249,6 +250,27 @@ Work work_on_springs(const System& system, const ContactPhase<double>& phase, do
   return work;
 }
 
+// What friction at a spring takes: the integral of its force times the speed of sliding, by the
+// squares of their sum and difference.
+double work_at_spring(const System& system, const ContactPhase<double>& phase, std::size_t k,
+                      double s) {
+  const Friction& friction = system.frictions[k];
+  const std::vector<int>& loaded = phase.springs().loaded;
+  const auto place = static_cast<std::size_t>(
+      std::find(loaded.begin(), loaded.end(), friction.stop) - loaded.begin());
+  const SpringArc& springs = *phase.sprung();
+  const ExactPhase<double>& exact = *phase.exact();
+  const Observable<double> force =
+      times(friction.sliding,
+            linear_force(springs.equations.springs[place].law, springs.depth_observables[place]));
+  // Of the structure, not along the belt.
+  Observable<double> speed = exact.observables()[system.stops.size() + k];
+  speed.constant +=
+      phase.key().frictions[k] == Contact::kForward ? friction.speed : -friction.speed;
+  return 0.25 * (square_along(exact, force + speed, s) -
+                 square_along(exact, force + times(-1.0, speed), s));
+}
+
 // What slides does work with its whole force along the way; what sticks to a belt is moved by it.
 double work_of_friction(const System& system, const ContactPhase<double>& phase, double s,
                         const Vector& way) {
@@ -257,9 +279,14 @@ double work_of_friction(const System& system, const ContactPhase<double>& phase,
     const Friction& friction = system.frictions[k];
     const int index = static_cast<int>(system.stops.size() + k);
     const Contact contact = phase.key().frictions[k];
-    if (contact != Contact::kClosed)
-      work += (contact == Contact::kForward ? -1.0 : 1.0) * friction.sliding * friction.row.dot(way);
-    else if (friction.speed != 0.0 && phase.exact()->structure().holds(index))
+    const bool slides = contact == Contact::kForward || contact == Contact::kBackward;
+    if (slides && friction.stop >= 0)
+      work -= work_at_spring(system, phase, k, s);
+    else if (slides)
+      work +=
+          (contact == Contact::kForward ? -1.0 : 1.0) * friction.sliding * friction.row.dot(way);
+    else if (contact == Contact::kClosed && friction.speed != 0.0 &&
+             phase.exact()->structure().holds(index))
       work -= friction.speed *
               integrals_along(*phase.exact(),
                               phase.exact()->observables()[static_cast<std::size_t>(index)], s)

@@ -162,6 +162,7 @@ Vector friction_push(const System& system, const std::vector<Contact>& frictions
   Vector push = Vector::Zero(system.modes());
   for (std::size_t k = 0; k < frictions.size(); ++k) {
     const Friction& friction = system.frictions[k];
+    if (friction.stop >= 0) continue;
     if (frictions[k] == Contact::kForward) push -= friction.sliding * friction.row;
     if (frictions[k] == Contact::kBackward) push += friction.sliding * friction.row;
   }
@@ -171,8 +172,8 @@ Vector friction_push(const System& system, const std::vector<Contact>& frictions
 ForceChange force_change(const System& system, const PhaseKey& key, int friction, double theta,
                          const State& rate) {
   const auto place = std::find(key.closed.begin(), key.closed.end(), friction) - key.closed.begin();
-  const Vector share = contact_share(system, key.closed).row(place).transpose() /
-                       system.row(friction).squaredNorm();
+  const Vector share =
+      contact_share(system, key.closed).row(place).transpose() / system.row(friction).squaredNorm();
   ForceChange change{-system.omega.cwiseAbs2().cwiseProduct(share),
                      -system.damping().transpose() * share};
   if (const HarmonicForcing* forcing = system.forcing())

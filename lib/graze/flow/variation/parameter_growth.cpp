@@ -98,22 +98,22 @@ ParameterGrowth free_growth(const System& system, const System& tangent,
 // integrals of it, so they are kept.
 class HeldGenerator {
  public:
-  HeldGenerator(const System& system, const std::vector<int>& closed,
-                const std::vector<int>& springs = {})
+  HeldGenerator(const System& system, const PhaseKey& key)
       : n_(system.modes()),
         frequency_(system.forcing() ? system.forcing()->frequency : 0.0),
         rates_(system.omega.cwiseMax(frequency_ > 0.0 ? frequency_ : 1.0)),
         orders_(orders_of(system)) {
     Matrix forces = forces_of(system);
-    for (const int i : springs) {
+    for (const int i : key.springs.loaded) {
       const Stop& stop = system.stops[static_cast<std::size_t>(i)];
       const ContactForce& law = stop.force();
-      forces.leftCols(n_) -= law.stiffness * stop.row * stop.row.cwiseQuotient(rates_).transpose();
-      forces.middleCols(n_, n_) -= dashpot_of(law) * stop.row * stop.row.transpose();
+      const Vector pushing = pushing_row(system, i, key.frictions);
+      forces.leftCols(n_) -= law.stiffness * pushing * stop.row.cwiseQuotient(rates_).transpose();
+      forces.middleCols(n_, n_) -= dashpot_of(law) * pushing * stop.row.transpose();
     }
     generator_ = Matrix::Zero(size(), size());
     generator_.topRows(n_).middleCols(n_, n_) = rates_.asDiagonal();
-    generator_.middleRows(n_, n_) = held_projection(system, closed) * forces;
+    generator_.middleRows(n_, n_) = held_projection(system, key.closed) * forces;
     turn(frequency_, generator_);
   }
 
@@ -212,12 +212,11 @@ Columns exponential_less_one(const Matrix& matrix, double size, const Columns& x
 ParameterGrowth held_growth(const System& system, const System& tangent,
                             const std::vector<int>& closed, const State& start, double theta,
                             double s, const Deviations& column) {
-  const HeldGenerator held(system, closed);
+  const HeldGenerator held(system, PhaseKey{closed});
   const Eigen::Index n = system.modes(), m = held.size();
   Matrix rate = Matrix::Zero(m, m);
-  rate.middleRows(n, n) =
-      held_projection_rate(system, tangent, closed) * held.forces_of(system) +
-      held_projection(system, closed) * held.forces_rate_of(system, tangent);
+  rate.middleRows(n, n) = held_projection_rate(system, tangent, closed) * held.forces_of(system) +
+                          held_projection(system, closed) * held.forces_rate_of(system, tangent);
   held.turn(tangent.forcing()->frequency, rate);
   const double stretch = -tangent.forcing()->frequency / held.frequency();
   // exp([A s, A_p s + A s_p; 0, A s]) of the deviation above the state.
@@ -241,10 +240,9 @@ ParameterGrowth parameter_growth(const System& system, const System& tangent,
   return held_growth(system, tangent, phase.closed(), start, theta, s, column);
 }
 
-Deviations held_growth(const System& system, const std::vector<int>& closed,
-                       const std::vector<int>& springs, double theta, double s,
+Deviations held_growth(const System& system, const PhaseKey& key, double theta, double s,
                        const Deviations& start) {
-  const HeldGenerator held(system, closed, springs);
+  const HeldGenerator held(system, key);
   const Matrix matrix = held.generator() * s;
   return held.unpacked(exponential_less_one(matrix, matrix.norm(), held.packed(start, theta)),
                        start.delay);

@@ -35,7 +35,7 @@ void Motion<Real>::land(const Real& flight) {
       set(i, contact(i));
   }
   for (const int i : frictions_)
-    if (contact(i) != Contact::kTouching) set(i, contact(i));
+    if (contact(i) != Contact::kTouching && contact(i) != Contact::kLocked) set(i, contact(i));
 }
 
 // On a rigid stop that it has left from rest, before the clock feels it: only rounding can do that.
@@ -116,7 +116,7 @@ Arrival<Real> Motion<Real>::arrive(Arrival<Real> arrival, const Real& until) {
       arrive_at_standstill(arrival.stop, arrival.flight == 0);
       break;
     case ArrivalKind::kSlip:
-      arrive_at_slip(arrival.stop, arrival.forward);
+      if (!arrive_at_slip(arrival.stop, arrival.forward)) arrival.kind = ArrivalKind::kStandstill;
       break;
     case ArrivalKind::kRelease:
       let_loose(arrival.stop, 3);

@@ -92,7 +92,9 @@ bool Motion<Real>::is_quiet(const ContactPhase<Real>& phase, const std::vector<i
   using std::abs;
   // Friction that reverses with each impact is followed.
   for (const int j : frictions_)
-    if (contact(j) == Contact::kTouching || !phase.stays_quiet(j, duration)) return false;
+    if (contact(j) == Contact::kTouching ||
+        (contact(j) != Contact::kClear && !phase.stays_quiet(j, duration)))
+      return false;
   for (const int j : order_) {
     if (std::find(chattering.begin(), chattering.end(), j) != chattering.end()) continue;
     if (is_touched(j)) {

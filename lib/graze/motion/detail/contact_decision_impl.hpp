@@ -75,9 +75,8 @@ std::optional<Arrival<Real>> Motion<Real>::decide_rigid() {
   resting.insert(resting.end(), lingering.begin(), lingering.end());
   const bool decided = decide_resting(resting);
   phase_ = nullptr;
-  undecided_ = false;
-  if (!decided)
-    return Arrival<Real>{ArrivalKind::kUndecided, order_.empty() ? -1 : order_.front()};
+  undecided_ = recheck_ = std::any_of(frictions_.begin(), frictions_.end(), stands);
+  if (!decided) return Arrival<Real>{ArrivalKind::kUndecided, order_.empty() ? -1 : order_.front()};
   const ContactPhase<Real>& next = phase_of(held());
   refusal_ = next.refusal();
   if (!refusal_.empty()) {
@@ -198,7 +197,7 @@ Real Motion<Real>::free_push(int i) const {
   for (Eigen::Index j = 0; j < now_.q.size(); ++j)
     push += stop(i).row[j] * free_acceleration(j, cosine, nullptr);
   for (const int k : compliant_)
-    if (contact(k) == Contact::kCompressed) push -= spring_force(k) * stop(i).row.dot(stop(k).row);
+    if (contact(k) == Contact::kCompressed) push -= spring_force(k) * stop(i).row.dot(pushing(k));
   return push;
 }
 
@@ -236,7 +235,7 @@ bool Motion<Real>::decide_resting(const std::vector<int>& resting) {
   // A closed stop that others now keep in place gives way to them: of two that face each other the
   // one that is pressed holds.
   for (const int i : kept)
-    if (contact(i) == Contact::kClosed && !is_independent(i, pressed)) {
+    if (contact(i) == Contact::kClosed && !is_independent(i, sticking)) {
       changes_.push_back({ArrivalKind::kRelease, i});
       set(i, Contact::kLocked);
     }
@@ -310,21 +309,29 @@ void Motion<Real>::let_go(int i, int multiplicity) {
   if (contact(i) == Contact::kClosed && this->multiplicity(i) != kHeldUntold)
     changes_.push_back({ArrivalKind::kRelease, i});
   set(i, Contact::kDeparting, multiplicity);
+  unlock_frictions();
+}
+
+// The stop's row as nearly as those in the list form it: their parts.
+template <class Real>
+RealVector<Real> Motion<Real>::parts_of(int i, const std::vector<int>& list) const {
+  Matrix_ rows(now_.q.size(), static_cast<Eigen::Index>(list.size()));
+  for (std::size_t a = 0; a < list.size(); ++a)
+    rows.col(static_cast<Eigen::Index>(a)) = stop(list[a]).row;
+  return PivotedLu<Real>(transposed_product<Real>(rows, rows))
+      .solve(transposed_image<Real>(rows, stop(i).row));
 }
 
 // Whether the stop's row is linearly independent of those in the list.
 template <class Real>
 bool Motion<Real>::is_independent(int i, const std::vector<int>& list) const {
   if (list.empty()) return true;
-  Matrix_ rows(now_.q.size(), static_cast<Eigen::Index>(list.size()));
+  const RealVector<Real> parts = parts_of(i, list);
+  RealVector<Real> left = stop(i).row;
   for (std::size_t a = 0; a < list.size(); ++a)
-    rows.col(static_cast<Eigen::Index>(a)) = stop(list[a]).row;
-  const RealVector<Real>& row = stop(i).row;
-  const RealVector<Real> share = PivotedLu<Real>(transposed_product<Real>(rows, rows))
-                                     .solve(transposed_image<Real>(rows, row));
+    left -= parts[static_cast<Eigen::Index>(a)] * stop(list[a]).row;
   // Half of the digits: the forces of nearer rows could not be separated.
-  return (row - image<Real>(rows, share)).squaredNorm() >
-         std::numeric_limits<double>::epsilon() * row.squaredNorm();
+  return left.squaredNorm() > std::numeric_limits<double>::epsilon() * stop(i).row.squaredNorm();
 }
 
 // Sets b.q' = 0 at every closed stop, and to the speed of its belt where friction sticks.

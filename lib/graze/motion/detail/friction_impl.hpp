@@ -2,7 +2,8 @@
 //
 //   forward, backward: it slides, against the whole of its force, until its speed is zero;
 //   closed: it sticks, while what the structure exerts on it is no more than its limit;
-//   locked: closed stops keep the structure at rest there, and it exerts nothing.
+//   locked: closed stops keep the structure at rest there, and it exerts nothing; or together with
+//      other friction, and it leans on them with all that it can exert.
 //
 // Where it comes to rest, the forces of all friction at rest and of all stops that are pressed are
 // shared by complementarity: |R| <= limit, and what is at its limit is accelerated against it. An
@@ -40,14 +41,46 @@ void Motion<Real>::renew_places() {
       now_.places[place(i)] = static_cast<double>(stop(i).row.dot(now_.q));
 }
 
-// The force of what slides.
+// Friction at a spring begins and ends with its contact.
+template <class Real>
+void Motion<Real>::press_frictions(int at, Contact before) {
+  const bool presses = contact(at) == Contact::kCompressed;
+  if (presses == (before == Contact::kCompressed)) return;
+  for (const int i : frictions_) {
+    if (system_.friction(i).stop != at) continue;
+    const Real speed = approach_speed(i);
+    if (!presses)
+      set(i, Contact::kClear);
+    else if (std::abs(static_cast<double>(speed)) > static_cast<double>(sliding_rounding(i)))
+      slide(i, speed > 0, 0);
+    else
+      stand(i);
+    phase_ = nullptr;
+  }
+}
+
+// Along which a spring pushes, with the friction that slides there.
+template <class Real>
+RealVector<Real> Motion<Real>::pushing(int at) const {
+  RealVector<Real> row = stop(at).row;
+  for (const int i : frictions_) {
+    if (system_.friction(i).stop != at) continue;
+    const Real part = Real(system_.friction(i).sliding);
+    if (pushes(i, true)) row += part * stop(i).row;
+    if (pushes(i, false)) row -= part * stop(i).row;
+  }
+  return row;
+}
+
+// The force of what slides, but at springs.
 template <class Real>
 void Motion<Real>::note_rubbing() {
   rubbing_ = RealVector<Real>::Zero(now_.q.size());
   for (const int i : frictions_) {
+    if (system_.friction(i).stop >= 0) continue;
     const Real force = Real(system_.friction(i).sliding);
-    if (contact(i) == Contact::kForward) rubbing_ -= force * stop(i).row;
-    if (contact(i) == Contact::kBackward) rubbing_ += force * stop(i).row;
+    if (pushes(i, true)) rubbing_ -= force * stop(i).row;
+    if (pushes(i, false)) rubbing_ += force * stop(i).row;
   }
   phase_ = nullptr;
 }
@@ -71,10 +104,11 @@ Real Motion<Real>::sliding_rounding(int i) const {
 template <class Real>
 void Motion<Real>::judge_frictions(Jumped what) {
   for (const int i : frictions_) {
+    if (!is_pressed(i)) continue;
     const Contact before = contact(i);
     const Real speed = approach_speed(i);
-    if (what == Jumped::kVelocities && std::abs(static_cast<double>(speed)) >
-                                           static_cast<double>(sliding_rounding(i))) {
+    if (what == Jumped::kVelocities &&
+        std::abs(static_cast<double>(speed)) > static_cast<double>(sliding_rounding(i))) {
       const Contact now = speed > 0 ? Contact::kForward : Contact::kBackward;
       if (now != before) {
         if (before == Contact::kClosed)
@@ -117,7 +151,7 @@ void Motion<Real>::arrive_at_standstill(int i, bool at_once) {
   using std::abs;
   // Back at once from a speed that rounding hides: it has not left.
   if (at_once && multiplicity(i) > 0) {
-    stick(i);
+    stick(i, held());
     return;
   }
   stand(i);
@@ -128,27 +162,62 @@ void Motion<Real>::arrive_at_standstill(int i, bool at_once) {
 }
 
 // The limit is reached: the speed then begins at zero as the square of time, or, where the friction
-// is less as soon as it slides, at once.
+// is less as soon as it slides, at once. Returns false where other friction takes over.
 template <class Real>
-void Motion<Real>::arrive_at_slip(int i, bool forward) {
+bool Motion<Real>::arrive_at_slip(int i, bool forward) {
+  if (const std::optional<int> other = stands_in(i, forward)) {
+    lean(i, forward);
+    stick(*other, held());
+    changes_.pop_back();  // it stuck before
+    return false;
+  }
   const Friction& friction = system_.friction(i);
   const bool drops = friction.sliding != friction.sticking;
   slide(i, forward, drops ? 1 : 2);
   for (const int k : order_)
     if (contact(k) == Contact::kLocked) set(k, Contact::kTouching, 2);
+  unlock_frictions();
   if (drops) judge_again(Jumped::kForces);
+  return true;
 }
 
+// Friction whose force changes in place of this one's, which is at its limit. With
+// row_k = sum_j a_j row_j over what holds, forces p_k + d/a_i and p_i - d hold as much.
 template <class Real>
-void Motion<Real>::stick(int i) {
+std::optional<int> Motion<Real>::stands_in(int i, bool forward) const {
+  using std::abs;
+  const std::vector<int> holding = held();
+  const auto own = std::find(holding.begin(), holding.end(), i) - holding.begin();
+  for (const int k : frictions_) {
+    if (contact(k) != Contact::kLocked) continue;
+    const RealVector<Real> parts = parts_of(k, holding);
+    if (!(abs(parts[own]) * stop(i).norm >
+          std::sqrt(std::numeric_limits<double>::epsilon()) * stop(k).norm))
+      continue;
+    const bool grows = forward == (parts[own] > 0);
+    if (!pushes(k, grows)) return k;
+  }
+  return {};
+}
+
+// `beside`: what else holds the structure.
+template <class Real>
+void Motion<Real>::stick(int i, const std::vector<int>& beside) {
   if (contact(i) == Contact::kClosed) return;
-  if (!is_independent(i, held())) {
+  if (!is_independent(i, beside)) {
     set(i, Contact::kLocked);
   } else {
     set(i, Contact::kClosed);
     now_.places[place(i)] = static_cast<double>(stop(i).row.dot(now_.q));
     changes_.push_back({ArrivalKind::kStick, i});
   }
+  note_rubbing();
+}
+
+// Others keep it at rest, and it exerts all that it can.
+template <class Real>
+void Motion<Real>::lean(int i, bool forward) {
+  set(i, Contact::kLocked, forward ? kCameForward : kCameBackward);
   note_rubbing();
 }
 
@@ -162,25 +231,67 @@ std::optional<typename Motion<Real>::PushShares> Motion<Real>::share_pushes(
     if (contact(i) == Contact::kClosed || contact(i) == Contact::kLocked ||
         contact(i) == Contact::kTouching)
       (is_independent(i, stops) ? standing : kept).push_back(i);
+  // What leans on others is asked anew.
+  for (const int i : standing)
+    if (contact(i) == Contact::kLocked) stand(i);
   if (kept.empty()) return share_among(stops, standing);
-  // A stop that is pressed keeps the friction there at rest.
-  const auto shares = share_among(stops, standing);
+  const auto shares = solve_pushes(stops, standing);
   if (!shares) return {};
-  std::vector<int> pressed;
-  for (std::size_t a = 0; a < stops.size(); ++a)
-    if (shares->presses(static_cast<Eigen::Index>(a))) pressed.push_back(stops[a]);
-  const auto is_free = [&](int i) { return is_independent(i, pressed); };
-  std::vector<int> loose;
-  std::copy_if(kept.begin(), kept.end(), std::back_inserter(loose), is_free);
-  for (const int i : kept)
-    if (!is_free(i)) {
+  // A stop that is pressed keeps the friction there at rest.
+  const std::vector<int> pressed = pressed_of(stops, *shares);
+  for (const int i : kept) {
+    if (is_independent(i, pressed)) {
+      if (contact(i) == Contact::kLocked) stand(i);
+      standing.push_back(i);
+    } else {
       set(i, Contact::kLocked);
       note_rubbing();
     }
-  if (loose.empty()) return shares;
-  for (const int i : frictions_)
-    if (contact(i) == Contact::kClosed) loose.push_back(i);
-  return share_among(stops, loose);
+  }
+  return share_among(stops, standing);
+}
+
+template <class Real>
+std::vector<int> Motion<Real>::pressed_of(const std::vector<int>& stops,
+                                          const PushShares& shares) const {
+  std::vector<int> pressed;
+  for (std::size_t a = 0; a < stops.size(); ++a)
+    if (shares.presses(static_cast<Eigen::Index>(a))) pressed.push_back(stops[a]);
+  return pressed;
+}
+
+template <class Real>
+std::optional<typename Motion<Real>::PushShares> Motion<Real>::solve_pushes(
+    const std::vector<int>& stops, const std::vector<int>& standing) const {
+  std::vector<int> list = stops;
+  list.insert(list.end(), standing.begin(), standing.end());
+  const auto all = static_cast<Eigen::Index>(list.size()),
+             n = static_cast<Eigen::Index>(stops.size());
+  RealVector<Real> size;
+  const RealVector<Real> acceleration = free_acceleration(&size);
+  if (vanished_ > 0) size += located_size();
+  RealVector<Real> push(all), limit(all - n);
+  PushShares shares;
+  shares.rounding.resize(all);
+  for (Eigen::Index a = 0; a < all; ++a) {
+    const int i = list[static_cast<std::size_t>(a)];
+    push[a] = stop(i).row.dot(acceleration);
+    shares.rounding[a] = push_rounding(i, size);
+    if (a >= n) limit[a - n] = rubbing_force(i, true) * stop(i).row.squaredNorm();
+  }
+  const Matrix_ acting = pressing(list);
+  const std::optional<RealVector<Real>> forces =
+      solve_with_friction<Real>(acting, push, shares.rounding, limit);
+  if (!forces) return {};
+  shares.forces = *forces;
+  shares.into = push - acting * *forces;
+  shares.own = acting.diagonal();
+  // Forces of friction are found as what they are above the least possible.
+  RealVector<Real> known = forces->cwiseAbs();
+  known.tail(all - n) += limit;
+  shares.acting = shares.rounding + rounding_of_action<Real>(acting, known);
+  shares.left = limit - forces->tail(all - n).cwiseAbs();
+  return shares;
 }
 
 template <class Real>
@@ -189,51 +300,58 @@ std::optional<typename Motion<Real>::PushShares> Motion<Real>::share_among(
   using std::abs;
   const auto n = static_cast<Eigen::Index>(stops.size());
   for (;;) {
-    std::vector<int> list = stops;
-    list.insert(list.end(), standing.begin(), standing.end());
-    const auto all = static_cast<Eigen::Index>(list.size()), s = all - n;
-    RealVector<Real> size;
-    const RealVector<Real> acceleration = free_acceleration(&size);
-    if (vanished_ > 0) size += located_size();
-    RealVector<Real> push(all), rounding(all), limit(s);
-    for (Eigen::Index a = 0; a < all; ++a) {
-      const int i = list[static_cast<std::size_t>(a)];
-      push[a] = stop(i).row.dot(acceleration);
-      rounding[a] = push_rounding(i, size);
-      if (a >= n) limit[a - n] = Real(system_.friction(i).sticking) * stop(i).row.squaredNorm();
-    }
-    const Matrix_ acting = pressing(list);
-    const std::optional<RealVector<Real>> forces =
-        solve_with_friction<Real>(acting, push, rounding, limit);
-    if (!forces) return {};
-    const RealVector<Real> into = push - acting * *forces;
-    // Forces of friction are found as what they are above the least possible.
-    RealVector<Real> known = forces->cwiseAbs();
-    known.tail(s) += limit;
-    const RealVector<Real> own = rounding + rounding_of_action<Real>(acting, known);
+    const auto shares = solve_pushes(stops, standing);
+    if (!shares) return {};
     bool changed = false;
-    for (Eigen::Index a = n; a < all; ++a) {
-      if (!(abs(into[a]) > own[a])) continue;
-      const int i = list[static_cast<std::size_t>(a)];
-      start_sliding(i, into[a] > 0);
-      std::erase(standing, i);
-      changed = changed || system_.friction(i).sliding != system_.friction(i).sticking;
+    std::vector<int> rest;
+    for (std::size_t k = 0; k < standing.size(); ++k) {
+      const int i = standing[k];
+      const Eigen::Index a = n + static_cast<Eigen::Index>(k);
+      if (abs(shares->into[a]) > shares->acting[a]) {
+        start_sliding(i, shares->into[a] > 0);
+        changed = changed || system_.friction(i).sliding != system_.friction(i).sticking;
+      } else {
+        rest.push_back(i);
+      }
     }
-    if (changed) continue;
-    for (const int i : standing) stick(i);
-    return PushShares{forces->head(n), into.head(n), rounding.head(n), acting.diagonal().head(n)};
+    if (!changed) {
+      rest_on(stops, standing, *shares);
+      return shares;
+    }
+    standing = std::move(rest);
   }
+}
+
+// What does not slide: within its limit it sticks, at it it leans on the others where these hold
+// it.
+template <class Real>
+void Motion<Real>::rest_on(const std::vector<int>& stops, const std::vector<int>& standing,
+                           const PushShares& shares) {
+  const auto n = static_cast<Eigen::Index>(stops.size());
+  std::vector<int> holding = pressed_of(stops, shares);
+  for (const bool at_limit : {false, true})
+    for (std::size_t k = 0; k < standing.size(); ++k) {
+      const int i = standing[k];
+      const auto own = static_cast<Eigen::Index>(k);
+      if (contact(i) == Contact::kForward || contact(i) == Contact::kBackward ||
+          at_limit != !(shares.left[own] > shares.acting[n + own]))
+        continue;
+      if (at_limit && rubbing_force(i, true) > 0 && !is_independent(i, holding)) {
+        lean(i, shares.forces[n + own] > 0);
+        continue;
+      }
+      stick(i, holding);
+      holding.push_back(i);
+    }
 }
 
 template <class Real>
 void Motion<Real>::start_sliding(int i, bool forward) {
   const int from = multiplicity(i);
-  if (contact(i) == Contact::kClosed)
+  if (contact(i) == Contact::kClosed || from == 0)
     changes_.push_back({ArrivalKind::kSlip, i});
-  else if (from != 0 && from != (forward ? kCameForward : kCameBackward))
+  else if (from != (forward ? kCameForward : kCameBackward))
     changes_.push_back({ArrivalKind::kReversal, i});
-  else if (from == 0)
-    changes_.push_back({ArrivalKind::kSlip, i});
   slide(i, forward, 1);
 }
 

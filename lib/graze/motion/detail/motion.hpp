@@ -129,10 +129,8 @@ class Motion {
   // What dry friction exerts along -u at the present instant, N.
   Real friction_force(int friction) {
     if (is_closed(friction)) return force(friction);
-    const Real sliding = Real(system_.friction(friction).sliding);
-    return contact(friction) == Contact::kForward    ? sliding
-           : contact(friction) == Contact::kBackward ? Real(-sliding)
-                                                     : Real(0);
+    const Real sliding = rubbing_force(friction, false);
+    return pushes(friction, true) ? sliding : pushes(friction, false) ? Real(-sliding) : Real(0);
   }
   // Contact force of a closed stop at the present instant, N.
   Real force(int stop) { return start_phase().force_at(stop, Real(0), now_.q, now_.qdot); }
@@ -236,6 +234,7 @@ class Motion {
   void let_go(int stop, int multiplicity);
   Real quickest_rate() const;
   void rest_on_closed();
+  RealVector<Real> parts_of(int stop, const std::vector<int>& list) const;
   bool is_independent(int stop, const std::vector<int>& of) const;
 
   // The stops touched at this instant: approach speeds (m/s; 0 where closed), their rounding, and
@@ -277,17 +276,42 @@ class Motion {
   static int first_of(const ContactPhase<Real>& phase);
   Arrival<Real> stay();
   Arrival<Real> search(const Real& until, const Real& horizon);
-  // The shares of the stops in pushes, m/s^2: contact forces, and accelerations that are left.
+  // The shares of stops, then of friction at rest, in pushes, m/s^2: contact forces, and
+  // accelerations that are left, with the rounding of the pushes, and with that of the shares too;
+  // what is left of the limits of friction.
   struct PushShares {
-    RealVector<Real> forces, into, rounding, own;
+    RealVector<Real> forces, into, rounding, own, acting, left;
     bool presses(Eigen::Index a) const { return forces[a] * own[a] > rounding[a]; }
   };
   std::optional<PushShares> share_pushes(const std::vector<int>& stops);
   std::optional<PushShares> share_among(const std::vector<int>& stops, std::vector<int> standing);
+  std::optional<PushShares> solve_pushes(const std::vector<int>& stops,
+                                         const std::vector<int>& standing) const;
+  std::vector<int> pressed_of(const std::vector<int>& stops, const PushShares& shares) const;
+  void rest_on(const std::vector<int>& stops, const std::vector<int>& standing,
+               const PushShares& shares);
   void adopt_frictions();
   std::size_t place(int friction) const {
     return static_cast<std::size_t>(friction) - system_.stops.size();
   }
+  // Whether something presses there, and the force of sliding or its limit then, N.
+  bool is_pressed(int friction) const {
+    const int at = system_.friction(friction).stop;
+    return at < 0 || contact(at) == Contact::kCompressed;
+  }
+  Real rubbing_force(int friction, bool at_rest) const {
+    const Friction& one = system_.friction(friction);
+    const Real part = Real(at_rest ? one.sticking : one.sliding);
+    return one.stop < 0 ? part : Real(part * spring_force(one.stop));
+  }
+  // Whether it exerts its force of sliding against that direction.
+  bool pushes(int friction, bool forward) const {
+    return contact(friction) == (forward ? Contact::kForward : Contact::kBackward) ||
+           (contact(friction) == Contact::kLocked &&
+            multiplicity(friction) == (forward ? kCameForward : kCameBackward));
+  }
+  void press_frictions(int stop, Contact before);
+  RealVector<Real> pushing(int stop) const;
   void note_rubbing();
   void renew_places();
   void slide(int friction, bool forward, int multiplicity);
@@ -295,10 +319,12 @@ class Motion {
   Real sliding_rounding(int friction) const;
   void judge_frictions(Jumped what);
   void stand(int friction);
-  void stick(int friction);
+  void stick(int friction, const std::vector<int>& beside);
+  void lean(int friction, bool forward);
   void unlock_frictions();
   void arrive_at_standstill(int friction, bool at_once);
-  void arrive_at_slip(int friction, bool forward);
+  bool arrive_at_slip(int friction, bool forward);
+  std::optional<int> stands_in(int friction, bool forward) const;
   bool has_friction() const { return turning_ && system_.rotation()->friction; }
   void set_joint(Joint joint);
   void look_at_joint();

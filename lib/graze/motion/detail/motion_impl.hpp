@@ -118,10 +118,12 @@ void Motion<Real>::leave_out(std::optional<int> stop) {
 
 template <class Real>
 void Motion<Real>::set(int i, Contact contact, int multiplicity) {
-  if (on_belts_ && this->contact(i) != contact) renew_places();
+  const Contact before = this->contact(i);
+  if (on_belts_ && before != contact) renew_places();
   now_.contacts[static_cast<std::size_t>(i)] = contact;
   now_.multiplicities[static_cast<std::size_t>(i)] = multiplicity;
   if (contact == Contact::kTouching) undecided_ = true;
+  if (!frictions_.empty() && !system_.is_friction(i)) press_frictions(i, before);
 }
 
 template <class Real>
@@ -156,8 +158,10 @@ template <class Real>
 ContactPhase<Real>& Motion<Real>::phase_of(const std::vector<int>& closed) {
   PhaseKey key{closed, springs(), now_.joint, untold()};
   for (const int i : frictions_) {
-    const bool slides = contact(i) == Contact::kForward || contact(i) == Contact::kBackward;
-    key.frictions.push_back(slides ? contact(i) : Contact::kClosed);
+    key.frictions.push_back(pushes(i, true)                 ? Contact::kForward
+                            : pushes(i, false)              ? Contact::kBackward
+                            : contact(i) == Contact::kClear ? Contact::kClear
+                                                            : Contact::kClosed);
   }
   for (const int i : closed)
     if (system_.is_friction(i)) key.places.push_back(now_.places[place(i)]);

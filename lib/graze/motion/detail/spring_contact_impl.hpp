@@ -60,8 +60,9 @@ void Motion<Real>::add_spring_forces(RealVector<Real>& acceleration, RealVector<
   for (const int i : compliant_) {
     const Real force = spring_force(i);
     if (force == 0) continue;
-    acceleration -= force * stop(i).row;
-    if (size) *size += abs(force) * stop(i).row.cwiseAbs();
+    const RealVector<Real> row = pushing(i);
+    acceleration -= force * row;
+    if (size) *size += abs(force) * row.cwiseAbs();
   }
 }
 

@@ -19,7 +19,7 @@ constexpr std::size_t kMostLaneStops = 8;
 
 bool is_lane_like(const System& system) {
   if (!system.repeats() || system.coupling() || system.modes() > kMostLaneModes ||
-      system.stops.empty() || system.stops.size() > kMostLaneStops)
+      !system.frictions.empty() || system.stops.empty() || system.stops.size() > kMostLaneStops)
     return false;
   double reach = 0.0;
   for (const Stop& stop : system.stops) {

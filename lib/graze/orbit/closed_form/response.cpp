@@ -112,7 +112,8 @@ std::optional<double> Response::clearance(const std::vector<Stop>& stops) const 
 }
 
 std::optional<Response> response_of(const System& system) {
-  if (!system.frictions.empty()) return {};
+  const auto rubs = [](const Friction& friction) { return friction.sticking > 0.0; };
+  if (std::any_of(system.frictions.begin(), system.frictions.end(), rubs)) return {};
   const Eigen::Index n = system.modes();
   Response response{{}, Vector::Zero(n)};
   for (Eigen::Index j = 0; j < n; ++j) {

@@ -39,6 +39,13 @@ State CarriedDeviations::rate_now(const std::vector<int>& closed,
   Vector push = spring_push(system_, motion_, without);
   if (const Vector rubs = friction_push(system_, frictions); rubs.size() > 0)
     push = push.size() > 0 ? Vector(push + rubs) : rubs;
+  for (std::size_t k = 0; k < frictions.size(); ++k) {
+    const Friction& friction = system_.frictions[k];
+    if (friction.stop < 0 || friction.stop == without) continue;
+    const double force = friction.sliding * motion_.spring_force(friction.stop);
+    if (frictions[k] == Contact::kForward) push -= force * friction.row;
+    if (frictions[k] == Contact::kBackward) push += force * friction.row;
+  }
   return held_rate(system_, closed, state_now(), motion_.flow().phase(motion_.instant()), push);
 }
 
@@ -62,7 +69,7 @@ void CarriedDeviations::project_to_fixed_time(int without) {
 
 void CarriedDeviations::carry(const Arrival<double>& arrival) {
   const std::vector<int>& closed = motion_.flown().closed();
-  if (parameter_) carry_parameter(arrival, closed);
+  if (parameter_) carry_parameter(arrival);
   if (!deviations_) return;
   const Deviations change = change_along(arrival.flight, closed);
   Eigen::RowVectorXd reach(deviations_->count());
@@ -105,7 +112,7 @@ Deviations CarriedDeviations::change_along(double flight, const std::vector<int>
   hold(system_, closed, *deviations_);
   const auto sticks = [this](int i) { return system_.is_friction(i); };
   if (std::any_of(closed.begin(), closed.end(), sticks))
-    return held_growth(system_, closed, motion_.flown().springs().loaded,
+    return held_growth(system_, motion_.flown().key(),
                        motion_.flow().phase(motion_.departure().instant), flight, *deviations_);
   const SpringArc* sprung = motion_.flown().sprung();
   if (!sprung || !motion_.flown().stepped())
@@ -117,8 +124,7 @@ Deviations CarriedDeviations::change_along(double flight, const std::vector<int>
   return {end.q - deviations_->q, end.qdot - deviations_->qdot, end.delay};
 }
 
-void CarriedDeviations::carry_parameter(const Arrival<double>& arrival,
-                                        const std::vector<int>& closed) {
+void CarriedDeviations::carry_parameter(const Arrival<double>& arrival) {
   const MotionState<double>& start = motion_.departure();
   const State from{start.q, start.qdot};
   const double theta = motion_.flow().phase(start.instant);
@@ -139,7 +145,8 @@ void CarriedDeviations::carry_parameter(const Arrival<double>& arrival,
 void CarriedDeviations::meet(const Arrival<double>& arrival, const Eigen::RowVectorXd& reach,
                              bool at_once) {
   const Stop& s = stop(arrival.stop);
-  move_instant(*deviations_, at_once ? rate_now(closed_now()) : rate_flown(), -reach / arrival.speed);
+  move_instant(*deviations_, at_once ? rate_now(closed_now()) : rate_flown(),
+               -reach / arrival.speed);
   const Eigen::RowVectorXd left = s.row.transpose() * deviations_->q / s.row.squaredNorm();
   deviations_->q.noalias() -= s.row * left;
 }

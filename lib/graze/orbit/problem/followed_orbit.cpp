@@ -58,6 +58,13 @@ std::vector<MotionState<double>> starts_of(const System& system, const SegmentSh
   return starts;
 }
 
+// Whether some friction slides one way for ever.
+bool slides_on(const MotionState<double>& at) {
+  return std::any_of(at.contacts.begin(), at.contacts.end(), [](Contact contact) {
+    return contact == Contact::kForward || contact == Contact::kBackward;
+  });
+}
+
 struct Equations {
   Vector residual;
   Matrix jacobian;
@@ -91,7 +98,8 @@ std::optional<std::pair<SegmentShooting, Polished<Equations>>> shorter(
         (u.tail(u.size() - part.size()) - u.head(u.size() - part.size())).norm() >
             kShootingAccuracy * (1.0 + u.norm()))
       continue;
-    const std::vector<MotionState<double>> starts = starts_of(part.timed(system, first), part, first);
+    const std::vector<MotionState<double>> starts =
+        starts_of(part.timed(system, first), part, first);
     const std::vector<TrajectorySegment> segments = part.follow(system, first);
     if (starts.empty() || segments.empty() || closed_stops(segments.back().end) != whole.closed ||
         !(whole_residual(system, starts, segments) <= kShootingAccuracy))
@@ -222,8 +230,8 @@ std::optional<Orbit> orbit_at_release(const System& system, const SegmentShootin
 
 }  // namespace
 
-std::optional<Orbit> orbit_of(const System& given, const SegmentShooting& shooting,
-                              const Vector& u, std::vector<Eigenvalue> multipliers,
+std::optional<Orbit> orbit_of(const System& given, const SegmentShooting& shooting, const Vector& u,
+                              std::vector<Eigenvalue> multipliers,
                               const std::optional<GrazingContact>& grazing) {
   const System system = shooting.timed(given, u);
   if (shooting.layout().released) return orbit_at_release(system, shooting, u);
@@ -258,6 +266,10 @@ std::optional<Orbit> orbit_of(const System& given, const SegmentShooting& shooti
     met = MetGrazing{*grazing, at->at.instant, at->state};
   }
   add_events(system, segments, shooting.periods_each(), met, orbit);
+  // What rubs has to slide: rests there are not isolated, and no cycle is one of belts.
+  if (!system.frictions.empty() && orbit.impacts.empty() && orbit.rubbing.empty() &&
+      (shooting.is_free() || !slides_on(starts.front())))
+    return {};
   // Contacts at speeds within rounding belong to a structure at rest.
   const double still = still_speed(system);
   if (!stuck && !grazing && system.frictions.empty() &&
@@ -291,8 +303,8 @@ FollowedAnswer followed_orbit(const System& system, const State& at_period_start
   if (system.has_rigid_stop()) {
     const TrajectorySegment first = pass(system, start, {period, 0.0}, options);
     if (!first.failure.empty()) return {{}, first.failure};
-    const bool meets_some = !first.impacts.empty() || system.has_compliant_stop() ||
-                            !system.frictions.empty();
+    const bool meets_some =
+        !first.impacts.empty() || system.has_compliant_stop() || !system.frictions.empty();
     if (!first.sticking.empty() || !meets_some)
       return stuck_orbit(system, start, first, period, options);
   }

@@ -50,7 +50,8 @@ struct OrbitRubbing {
   int friction = 0;  // index from 0
   OrbitInstant at;
   Rubs what = Rubs::kSticks;
-  double fall = 0.0;  // of the speed of sliding where that ends, in parts of what friction alone does
+  double fall =
+      0.0;  // of the speed of sliding where that ends, in parts of what friction alone does
 };
 
 // Starts of motions that repeat an orbit: a state in each of its forcing periods, or one state

@@ -35,7 +35,8 @@ bool same_states(const Orbit& a, const Orbit& b) {
   for (std::size_t turn = 0; turn < count; ++turn) {
     bool all = true;
     for (std::size_t i = 0; i < count && all; ++i) {
-      const MotionState<double>&x = a.section->states[i], &y = b.section->states[(i + turn) % count];
+      const MotionState<double>&x = a.section->states[i],
+            &y = b.section->states[(i + turn) % count];
       all = same(x.q, y.q) && same(x.qdot, y.qdot);
     }
     if (all) return true;

@@ -22,11 +22,10 @@ void ParameterDeviation::carry(const ExactPhase<double>& phase, const State& sta
   hold(*system_, *tangent_, phase.closed(), start, column_);
   const PhaseKey& key = phase.key();
   ParameterGrowth growth =
-      key.frictions.empty()
-          ? parameter_growth(*system_, *tangent_, phase, start, theta, s, column_)
-          : parameter_growth(under_friction(*system_, key),
-                             under_friction_rate(*system_, *tangent_, key), phase, start, theta, s,
-                             column_);
+      key.frictions.empty() ? parameter_growth(*system_, *tangent_, phase, start, theta, s, column_)
+                            : parameter_growth(under_friction(*system_, key),
+                                               under_friction_rate(*system_, *tangent_, key), phase,
+                                               start, theta, s, column_);
   column_.q += growth.change.q;
   column_.qdot += growth.change.qdot;
   last_ = std::move(growth.change);
@@ -36,8 +35,13 @@ void ParameterDeviation::carry(const ExactPhase<double>& phase, const State& sta
 void ParameterDeviation::carry_on_springs(const ContactPhase<double>& phase, const State& start,
                                           double theta, double s) {
   hold(*system_, *tangent_, phase.closed(), start, column_);
-  Deviations end =
-      sprung_parameter_deviation(*system_, *tangent_, *phase.sprung(), start, theta, s, column_);
+  const PhaseKey& key = phase.key();
+  Deviations end = key.frictions.empty()
+                       ? sprung_parameter_deviation(*system_, *tangent_, *phase.sprung(), start,
+                                                    theta, s, column_)
+                       : sprung_parameter_deviation(under_friction(*system_, key),
+                                                    under_friction_rate(*system_, *tangent_, key),
+                                                    *phase.sprung(), start, theta, s, column_);
   last_ = {end.q - column_.q, end.qdot - column_.qdot, column_.delay};
   State there{Vector(start.q.size()), Vector(start.q.size())};
   phase.state(s, there.q, there.qdot);

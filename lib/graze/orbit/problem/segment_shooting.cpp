@@ -57,7 +57,8 @@ std::vector<PressedSpring> springs_at(const System& system, const State& at) {
 SegmentShooting::SegmentShooting(const System& reference, SegmentLayout layout,
                                  const SegmentOptions& options)
     : layout_(std::move(layout)),
-      rate_(reference.is_self_excited() && !layout_.released ? reference.forcing()->frequency : 0.0),
+      rate_(reference.is_self_excited() && !layout_.released ? reference.forcing()->frequency
+                                                             : 0.0),
       map_(reference, layout_.closed, options) {
   if (layout_.released)
     push_ = push_scale(reference, reference.stops[static_cast<std::size_t>(*layout_.released)]);
@@ -232,10 +233,9 @@ std::optional<ShootingLinearisation> SegmentShooting::linearise_free(
       seen.cwiseProduct(map_.unit().tail(n / 2).transpose()) / unit;
   for (Eigen::Index k = 0; k < others; ++k) {
     const System& tangent = *tangents[static_cast<std::size_t>(k)];
-    sum.by_parameters(0, k) =
-        (tangent.frictions.front().row.dot(chart->state.qdot) +
-         row.dot(map_.chart_rate(system, tangent, chart->state).qdot)) /
-        unit;
+    sum.by_parameters(0, k) = (tangent.frictions.front().row.dot(chart->state.qdot) +
+                               row.dot(map_.chart_rate(system, tangent, chart->state).qdot)) /
+                              unit;
   }
   for (int i = 0; i < layout_.sections; ++i) {
     const Eigen::Index at = 1 + i * n, next = 1 + (i + 1) % layout_.sections * n;

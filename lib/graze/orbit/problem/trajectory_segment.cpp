@@ -144,7 +144,7 @@ class Follower {
 
   void rub(int i) {
     // What is at rest where the segment begins was so before.
-    if (motion_.instant().period == start_.period && motion_.instant().local == start_.local) return;
+    if (not_before(start_, motion_.instant())) return;
     if (options_.minima) note_turning_points();
     const Contact now = motion_.state().contacts[static_cast<std::size_t>(i)];
     segment_.rubbing.push_back({i - static_cast<int>(system_.stops.size()), motion_.instant(),
@@ -163,10 +163,15 @@ class Follower {
       return fail(
           "what a compliant stop does to small deviations of a structure that turns while another "
           "one holds it is not followed");
-    if (carried_.by_parameter() && carried_.closed_now().size() > closed_count())
+    if (carried_.by_parameter() &&
+        (carried_.closed_now().size() > closed_count() || rubs_at_a_spring()))
       return fail("how a parameter moves what rubs while springs are compressed is not followed");
     carried_.project_to_fixed_time();
     return true;
+  }
+
+  bool rubs_at_a_spring() const {
+    return std::ranges::any_of(system_.frictions, [](const auto& one) { return one.stop >= 0; });
   }
 
   std::size_t closed_count() const {

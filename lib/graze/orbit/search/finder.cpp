@@ -31,14 +31,12 @@ namespace {
 // them cost some ten microseconds, a search a few thousand evaluations).
 constexpr int kCheapWork = 512;
 
-// The most sequences of stops that are searched, whatever k.
-constexpr std::size_t kMostSequences = 4096;
+constexpr std::size_t kMostSequences = 4096;  // of stops that are searched, whatever k
 
 // Boost's table for Sobol sequences reaches further; a dense solve for more is out of the question.
 constexpr int kMostImpacts = 1024;
 
-// Number of global minimisations for a pattern for which local solves find no orbit.
-constexpr int kGlobalRuns = 4;
+constexpr int kGlobalRuns = 4;  // for a pattern for which local solves find no orbit
 
 // Budgets of the local solves by the number of impacts: see
 // docs/decisions/0053.

@@ -35,8 +35,7 @@ std::optional<Orbit> mirrored_impacts(const System& system, const Orbit& orbit,
 std::optional<std::vector<int>> opposite_stops(const System& system) {
   if (system.load() && !system.load()->isZero(0.0)) return {};
   const auto drags = [](const Friction& friction) { return friction.speed != 0.0; };
-  if (system.stops.empty() ||
-      std::any_of(system.frictions.begin(), system.frictions.end(), drags))
+  if (system.stops.empty() || std::any_of(system.frictions.begin(), system.frictions.end(), drags))
     return {};
   std::vector<int> opposite;
   for (const Stop& stop : system.stops) {

@@ -40,8 +40,7 @@ State start_at(const System& system, std::span<const double> coordinates) {
     Vector shape(system.modes());
     // A free mass has no static compliance; the forcing's time scale replaces it.
     for (int j = 0; j < system.modes(); ++j)
-      shape[j] =
-          row[j] / std::max(system.omega[j] * system.omega[j], 1e-2 * frequency * frequency);
+      shape[j] = row[j] / std::max(system.omega[j] * system.omega[j], 1e-2 * frequency * frequency);
     shape *= kStartReach * length / row.dot(shape);
     state.q += coordinates[2 * i] * shape;
     state.qdot += coordinates[2 * i + 1] * frequency * shape;

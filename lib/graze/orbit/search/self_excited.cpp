@@ -18,7 +18,8 @@ constexpr double kOscillations = 400.0;
 constexpr std::size_t kMostSlips = 64;
 constexpr std::size_t kCycles = 3;
 constexpr double kSameLapse = 1e-6;
-// Samples of the last cycle among which one is near the place's rest: Newton's method does the rest.
+// Samples of the last cycle among which one is near the place's rest: Newton's method does the
+// rest.
 constexpr double kSamples = 512.0;
 
 struct Slip {

@@ -205,6 +205,7 @@ class Spread {
 
 void add_settled_orbits(const System& system, const FinderOptions& options, long long most_work,
                         FoundOrbits& found) {
+  if (system.is_self_excited()) return;  // its periods are not known
   if (places_of_starts(system) > kMostStops) {
     found.notes.push_back(fmt::format(
         "with more than {} stops no motions from a spread of starts are followed", kMostStops));

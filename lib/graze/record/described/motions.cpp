@@ -169,7 +169,8 @@ void describe(ResultVisitor& v, const Event& event) {
     v.field({"impacts"}, event.impacts);
     v.field({"closure_speed", "m/s"}, event.closure_speed);
   }
-  if (const auto some = v.where(is(EventKind::kStick, EventKind::kFrictionStick), "where it sticks"))
+  if (const auto some =
+          v.where(is(EventKind::kStick, EventKind::kFrictionStick), "where it sticks"))
     v.field({"force", "N", "that sets in: of contact; of friction against +u"}, event.force);
   if (const auto some = v.where(parts, "at separations")) {
     v.field({"duration", "s"}, event.duration);
@@ -180,7 +181,8 @@ void describe(ResultVisitor& v, const Event& event) {
   }
   if (const auto some = v.where(rubs, "of dry friction"))
     v.field({"friction", "", "from 1"}, event.friction + 1);
-  if (const auto some = v.where(is(EventKind::kSlip, EventKind::kReversal), "where friction slides"))
+  if (const auto some =
+          v.where(is(EventKind::kSlip, EventKind::kReversal), "where friction slides"))
     v.field({"direction", "", "1 along +u from then on, -1 against it"}, event.direction);
 }
 

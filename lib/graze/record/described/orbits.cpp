@@ -63,15 +63,14 @@ void describe_section(ResultVisitor& v, const Orbit& orbit) {
 void describe_rubbing(ResultVisitor& v, const Orbit& orbit) {
   const auto some = v.where(!orbit.rubbing.empty(), "with dry friction");
   if (!some) return;
-  v.list({"rubbing", "", "its events"}, orbit.rubbing,
-         [&](const OrbitRubbing& event, std::size_t) {
-           v.field({"friction", "", "from 1"}, event.friction + 1);
-           v.field({"kind", "", "what it does from then on: `forward`, `backward` or `sticks`"},
-                   event.what == Rubs::kSticks    ? "sticks"
-                   : event.what == Rubs::kForward ? "forward"
-                                                  : "backward");
-           describe_instant(v, event.at);
-         });
+  v.list({"rubbing", "", "its events"}, orbit.rubbing, [&](const OrbitRubbing& event, std::size_t) {
+    v.field({"friction", "", "from 1"}, event.friction + 1);
+    v.field({"kind", "", "what it does from then on: `forward`, `backward` or `sticks`"},
+            event.what == Rubs::kSticks    ? "sticks"
+            : event.what == Rubs::kForward ? "forward"
+                                           : "backward");
+    describe_instant(v, event.at);
+  });
 }
 
 void describe_sticking(ResultVisitor& v, const Orbit& orbit) {

@@ -86,6 +86,7 @@ std::vector<std::string> sample_columns(const System& system, bool energy,
   if (energy)
     names.insert(names.end(), {"energy", "work_forcing", "work_load", "work_constraint",
                                "work_impacts", "dissipation", "work_contact"});
+  if (energy && !system.frictions.empty()) names.emplace_back("work_friction");
   add("probe_", probes.size());
   return names;
 }
@@ -97,9 +98,10 @@ std::string samples_csv_header(const System& system, bool energy,
 
 std::size_t sample_numbers(const System& system, const Sample& sample,
                            const std::vector<ProbeRow>& probes) {
-  constexpr std::size_t kEnergies = 7;
+  const std::size_t energies = system.frictions.empty() ? 7 : 8;
   return 1 + 2 * static_cast<std::size_t>(sample.state.q.size()) + system.stops.size() +
-         sample.forces.size() + sample.frictions.size() + (sample.energy ? kEnergies : 0) + probes.size();
+         sample.forces.size() + sample.frictions.size() + (sample.energy ? energies : 0) +
+         probes.size();
 }
 
 double* write_sample_row(const System& system, const Sample& sample,
@@ -133,6 +135,7 @@ double* write_sample_row(const System& system, const Sample& sample,
     add(entries.impacts);
     add(entries.dissipation);
     add(entries.contact);
+    if (!system.frictions.empty()) add(entries.friction);
   }
   for (const ProbeRow& probe : probes) *row++ = probe.value(own);
   return row;

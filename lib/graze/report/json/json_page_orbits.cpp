@@ -79,6 +79,7 @@ Json place_json(const System& system, const SeenPlace& place, const PlaceSeries&
 
 // The place that is hit first comes first.
 std::vector<SeenPlace> places_seen(const System& system, int first_stop) {
+  if (system.stops.empty()) return {};
   std::vector<SeenPlace> places = places_of(system);
   const auto has_it = [&](const SeenPlace& place) {
     return std::any_of(place.stops.begin(), place.stops.end(),

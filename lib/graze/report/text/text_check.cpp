@@ -304,16 +304,14 @@ std::string probe_text(const Scene& scene, const Probe& probe) {
 
 std::string friction_text(const Scene& scene, std::size_t k, const TextUnits& in) {
   const DryFriction& friction = scene.frictions[k];
-  std::string text = fmt::format("{} {}, slides against {}",
-                                 scene.span() ? "at x =" : "at",
-                                 scene.span() ? in.quantity(friction.position, 6, "m")
+  std::string text = fmt::format("{} {}, slides against {}", scene.span() ? "at x =" : "at",
+                                 scene.span()            ? in.quantity(friction.position, 6, "m")
                                  : friction.node.empty() ? "the shape given"
                                                          : friction.node,
                                  in.quantity(friction.sliding(), 6, "N"));
   if (friction.sticking() != friction.sliding())
     text += ", sticks up to " + in.quantity(friction.sticking(), 6, "N");
-  if (friction.speed != 0.0)
-    text += ", from a belt at " + in.quantity(friction.speed, 6, "m/s");
+  if (friction.speed != 0.0) text += ", from a belt at " + in.quantity(friction.speed, 6, "m/s");
   return text;
 }
 

@@ -150,8 +150,8 @@ std::string contacts_text(const OrbitRecord& record, const TextOptions& options)
 }  // namespace
 
 std::string to_text(const OrbitRecord& record, const TextOptions& options) {
-  return orbits_text(record, options) + sticking_text(record, options) + rubbing_text(record, options) +
-         contacts_text(record, options) +
+  return orbits_text(record, options) + sticking_text(record, options) +
+         rubbing_text(record, options) + contacts_text(record, options) +
          notes_text(record.found.notes, record.found.details, options) + ending(record.outcome);
 }
 

@@ -17,7 +17,8 @@ std::vector<std::string> event_row(long long number, const Event& e) {
   const bool impact = e.kind == EventKind::kImpact, chatter = e.kind == EventKind::kChatter;
   const bool contact = e.kind == EventKind::kContact, parting = e.kind == EventKind::kSeparation;
   std::string force = "-";
-  if (e.kind == EventKind::kStick || e.kind == EventKind::kFrictionStick) force = digits_text(e.force, 6);
+  if (e.kind == EventKind::kStick || e.kind == EventKind::kFrictionStick)
+    force = digits_text(e.force, 6);
   if (parting) force = digits_text(e.peak_force, 6);
   return {fmt::format("{}", number),
           name_of(e.kind),

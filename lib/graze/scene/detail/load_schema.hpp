@@ -35,9 +35,16 @@ void describe(auto& v, Of<DryFriction> auto& friction, const Scene& scene) {
                !friction.force, "the force is given already, it must be left out"),
            friction.coefficient);
   const bool pressed = friction.coefficient.has_value();
+  v.count(Key{"stop", "", kAtLeastOne.told("a stop with a spring"),
+              "its number: in place of `normal_force` its spring presses there, and the force of "
+              "friction is that part of the spring's"}
+              .or_else("none")
+              .where(pressed, unpressed),
+          friction.stop);
   v.number(Key{"normal_force", "N", kNotNegative, "that presses there"}
-               .needed("with `coefficient`")
-               .where(pressed, unpressed),
+               .needed("with `coefficient`, or `stop`")
+               .where(pressed && friction.stop == 0,
+                      pressed ? "the stop presses there, it must be left out" : unpressed),
            friction.normal_force);
   v.number(Key{"static_force", "N", kNotNegative, "up to which it sticks, at least that of sliding"}
                .or_else("`force`")

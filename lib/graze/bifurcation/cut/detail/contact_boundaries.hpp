@@ -45,8 +45,9 @@ class ContactBoundaries : public BranchBoundaries {
                                              std::size_t impacts) const;
   std::optional<SolutionPoint> grazing_between(const SolutionPoint& a, const SolutionPoint& b,
                                                std::size_t before, std::size_t after) const;
-  std::optional<SolutionPoint> halved(SolutionPoint low, SolutionPoint high,
-                                      const std::function<double(const SolutionPoint&)>& test) const;
+  std::optional<SolutionPoint> halved(
+      SolutionPoint low, SolutionPoint high,
+      const std::function<double(const SolutionPoint&)>& test) const;
   // Where friction slides and sticks in another order.
   void pass_sliding(const JudgedPoint& a, const JudgedPoint& b,
                     std::vector<BranchPlace>& places) const;

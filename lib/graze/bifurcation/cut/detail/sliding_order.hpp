@@ -1,5 +1,5 @@
-// In which order friction slides and sticks along an orbit, and what it is called where that changes
-// along a branch (M. di Bernardo et al., Piecewise-smooth Dynamical Systems, 2008, ch. 8).
+// In which order friction slides and sticks along an orbit, and what it is called where that
+// changes along a branch (M. di Bernardo et al., Piecewise-smooth Dynamical Systems, 2008, ch. 8).
 #pragma once
 
 #include "graze/bifurcation/problem/orbit_branch.hpp"

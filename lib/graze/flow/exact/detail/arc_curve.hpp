@@ -27,6 +27,26 @@ struct Observable {
   PlanarNumber<Real> harmonic;    // weight of e^{i theta}
 };
 
+template <class Real>
+Observable<Real> times(const Real& factor, Observable<Real> one) {
+  one.constant *= factor;
+  one.displacement *= factor;
+  one.velocity *= factor;
+  one.harmonic = {factor * one.harmonic.re, factor * one.harmonic.im};
+  return one;
+}
+template <class Real>
+Observable<Real> operator+(Observable<Real> a, const Observable<Real>& b) {
+  a.constant += b.constant;
+  a.displacement += b.displacement;
+  if (a.velocity.size() == 0)
+    a.velocity = b.velocity;
+  else if (b.velocity.size() > 0)
+    a.velocity += b.velocity;
+  a.harmonic = {a.harmonic.re + b.harmonic.re, a.harmonic.im + b.harmonic.im};
+  return a;
+}
+
 // The gap at a stop as an observable: gap - row.q.
 template <class Real>
 Observable<Real> gap_observable(const RealVector<Real>& row, const Real& gap) {

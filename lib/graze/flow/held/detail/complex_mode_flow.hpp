@@ -11,8 +11,8 @@
 namespace graze {
 
 // Whether the modes of a system can be used: not where they are nearly dependent (defective),
-// resonant with the force, or too soft for the load: far slower than `quickest`, a rate of the
-// structure in rad/s.
+// resonant with the force, too soft for the load: far slower than `quickest`, a rate of the
+// structure in rad/s; or growing, beyond rounding.
 bool are_usable(const ComplexModes& modes, const FirstOrderSystem& system, double quickest);
 
 class ComplexModeFlow {

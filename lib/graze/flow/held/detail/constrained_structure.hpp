@@ -17,8 +17,9 @@
 // press on the structure. So these forces are part of the free motion, whatever holds the structure
 // or damps it. So is a course over time, z'' = 0 along each of its lines.
 //
-// Dry friction that sticks holds b.q where it was, or with the speed of its belt: q = q_c + e s + U y
-// with B^T e = those speeds. Then |e| s is one more coordinate that nothing moves, s the time since.
+// Dry friction that sticks holds b.q where it was, or with the speed of its belt: q = q_c + e s + U
+// y with B^T e = those speeds. Then |e| s is one more coordinate that nothing moves, s the time
+// since.
 #pragma once
 
 #include <vector>

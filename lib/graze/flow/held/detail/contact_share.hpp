@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "graze/flow/exact/motion_state.hpp"
 #include "graze/system/system.hpp"
 
 namespace graze {
@@ -11,6 +12,10 @@ namespace graze {
 // The rows or the directions of some stops, N x k.
 Matrix rows_of(const System& system, const std::vector<int>& stops);
 Matrix directions_of(const System& system, const std::vector<int>& stops);
+
+// The row along which the force of a compressed spring pushes, with that of the friction that
+// slides there: b + sum of +-mu t. `frictions`: as in a PhaseKey.
+Vector pushing_row(const System& system, int stop, const std::vector<Contact>& frictions);
 
 // (B^T D)^-1 B^T, k x N. Requires independent rows.
 Matrix contact_share(const System& system, const std::vector<int>& closed);

@@ -2,11 +2,11 @@
 //
 //   y'' + C y' + K y = load + Re(force e^{i theta}),
 //
-// as it arises where damping couples the natural modes, or while a stop is closed under an oblique
-// impulse law or unequal damping ratios: in
-// its first-order form, by complex modes where these are well separated; otherwise split along its
-// invariant subspaces, so that only those modes need matrix exponentials that are defective, free,
-// or resonant with the forcing.
+// as it arises where damping couples the natural modes, while a stop is closed under an oblique
+// impulse law or unequal damping ratios, or beside springs: in its first-order form, by complex
+// modes where these are well separated; otherwise split along its invariant subspaces, so that only
+// those modes need matrix exponentials that are defective, free, resonant with the forcing, or
+// growing.
 #pragma once
 
 #include <functional>

@@ -2,6 +2,8 @@
 // springs (linear_spring_phase.hpp).
 #pragma once
 
+#include <algorithm>
+
 #include "graze/flow/held/detail/exact_phase.hpp"
 
 namespace graze {
@@ -13,9 +15,13 @@ class CoupledPhase : public ExactPhase<double> {
   CoupledPhase(const System& system, PhaseKey key, ConstrainedStructure<double> structure,
                const CoupledSystem& equations);
 
-  // Damping takes energy; growth can only come from an oblique law.
+  // Damping takes energy; growth can only come from an oblique law, or from friction at springs.
   std::string refusal() const override {
-    return structure().constrained.empty() ? std::string() : flow_.instability();
+    const std::vector<Contact>& frictions = this->key().frictions;
+    const bool slides = std::any_of(frictions.begin(), frictions.end(), [](Contact c) {
+      return c == Contact::kForward || c == Contact::kBackward;
+    });
+    return structure().constrained.empty() || slides ? std::string() : flow_.instability();
   }
   void start(const double& theta, const Vector& q, const Vector& qdot, const double& time) override;
   void state(const double& s, Vector& q, Vector& qdot) const override;

@@ -25,7 +25,8 @@ class ExactPhase : public ContactPhase<Real> {
   const ConstrainedStructure<Real>& structure() const { return structure_; }
   const std::vector<Observable<Real>>& observables() const { return observables_; }
   // The gap of an open stop along the arc, or how fast dry friction slides, for `window` seconds;
-  // `from_zero`: it starts on the stop, or at rest. The reference is valid until the arc ends, or the gap is asked for with another window.
+  // `from_zero`: it starts on the stop, or at rest. The reference is valid until the arc ends, or
+  // the gap is asked for with another window.
   const ArcCurve<Real>& gap(int stop, const Real& window, bool from_zero) const;
   // The contact force of a closed stop, N (in units of the modal mass); any observable of the
   // structure's coordinates y and y'.
@@ -49,6 +50,10 @@ class ExactPhase : public ContactPhase<Real> {
 
  protected:
   void forget_curves();
+  // Up to which a friction sticks, N, where that depends on the motion.
+  void limit_friction(std::size_t friction, Observable<Real> limit) {
+    limits_[friction] = std::move(limit);
+  }
 
  private:
   struct Slip {
@@ -64,10 +69,9 @@ class ExactPhase : public ContactPhase<Real> {
   virtual Real start_phase() const = 0;
 
   ConstrainedStructure<Real> structure_;
-  // Of every stop, the gap, or the contact force where closed; of every friction how fast it slides,
-  // or the force where it sticks, and its limit, N.
-  std::vector<Observable<Real>> observables_;
-  std::vector<Real> limits_;
+  // Of every stop, the gap, or the contact force where closed; of every friction how fast it
+  // slides, or the force where it sticks, and its limit, N.
+  std::vector<Observable<Real>> observables_, limits_;
   struct KeptCurve {
     bool known = false, from_zero = false;
     ArcCurve<Real> curve;

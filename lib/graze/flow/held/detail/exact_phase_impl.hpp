@@ -25,12 +25,11 @@ ExactPhase<Real>::ExactPhase(const System& system, PhaseKey key,
       limits_(system.frictions.size()),
       kept_(observables_.size()) {
   for (std::size_t k = 0; k < limits_.size(); ++k) {
-    limits_[k] = Real(system.frictions[k].sticking);
+    const RealVector<Real> none = RealVector<Real>::Zero(structure_.size());
+    limits_[k] = {Real(system.frictions[k].sticking), none, {}, {}};
     if (this->key().frictions.empty() || this->key().frictions[k] != Contact::kBackward) continue;
     Observable<Real>& speed = observables_[system.stops.size() + k];
-    speed.constant = -speed.constant;
-    speed.displacement = -speed.displacement;
-    speed.velocity = -speed.velocity;
+    speed = times(Real(-1), std::move(speed));
   }
 }
 
@@ -70,6 +69,7 @@ Arrival<Real> ExactPhase<Real>::first_event(const MotionState<Real>& now,
     if (at == Contact::kLocked || at == Contact::kCompressed || at == Contact::kParted) continue;
     const bool is_closed = at == Contact::kClosed;
     const bool rubs = static_cast<std::size_t>(i) >= observables_.size() - limits_.size();
+    if (rubs && at == Contact::kClear) continue;  // nothing presses there
     const int multiplicity = now.multiplicities[static_cast<std::size_t>(i)];
     const Slip slip = is_closed && rubs ? first_slip(i, arrival.flight, &flight) : Slip{};
     const FirstZero<Real> zero =
@@ -100,17 +100,12 @@ typename ExactPhase<Real>::Slip ExactPhase<Real>::first_slip(int friction, const
                                                              const Flight<Real>* flight) const {
   const StopSignal never;
   const auto place = static_cast<std::size_t>(friction);
-  const Real limit = limits_[place - (observables_.size() - limits_.size())];
+  const Observable<Real>& limit = limits_[place - (observables_.size() - limits_.size())];
   Slip first;
   Real until = window;
   long long evaluations = 0;
   for (const bool forward : {true, false}) {
-    Observable<Real> left = observables_[place];
-    const Real sign = forward ? Real(-1) : Real(1);
-    left.constant = limit + sign * left.constant;
-    left.displacement *= sign;
-    left.velocity *= sign;
-    left.harmonic = {sign * left.harmonic.re, sign * left.harmonic.im};
+    const Observable<Real> left = limit + times(Real(forward ? -1 : 1), observables_[place]);
     const FirstZero<Real> zero = first_release(curve(left, until), flight ? flight->stop : never);
     evaluations += zero.evaluations;
     if (zero.kind == ZeroKind::kNone) continue;

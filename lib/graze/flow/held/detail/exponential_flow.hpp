@@ -1,5 +1,5 @@
 // Motion of a first-order linear system in an invariant subspace by its matrix exponential: for
-// modes that are not well separated, are resonant with the force, or too soft for the load.
+// modes that are not well separated, are resonant with the force, too soft for the load, or grow.
 #pragma once
 
 #include <array>

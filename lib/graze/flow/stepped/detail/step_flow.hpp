@@ -85,6 +85,7 @@ struct SprungSystem {
     bool loaded = true;
     Vector whole_row{};    // on all coordinates of a structure that turns
     bool resting = false;  // its surface is touched: it acts once that is passed
+    Vector pushing{};      // along which it pushes, on all coordinates (pushing_row)
   };
   // A constraint force that is not along the row it holds, as of an oblique law: the force, and the
   // vector with which it takes power, -against.y' times the force.

@@ -36,13 +36,12 @@ Deviations growth(const ExactPhase<double>& phase, double s, const Deviations& s
 void move_instant(Deviations& deviations, const State& rate, const Eigen::RowVectorXd& shift);
 
 // The same under everything that holds the structure, friction that sticks included, which keeps
-// what it has of a deviation along its row: in all coordinates, for any stops and frictions
-// `closed`, from forcing phase theta. `springs`: stops whose linear springs are compressed.
-Deviations held_growth(const System& system, const std::vector<int>& closed,
-                       const std::vector<int>& springs, double theta, double s,
+// what it has of a deviation along its row: in all coordinates, as the phase of this key has it,
+// from forcing phase theta.
+Deviations held_growth(const System& system, const PhaseKey& key, double theta, double s,
                        const Deviations& start);
 
-// The force of dry friction that slides, on the modes; empty where there is none.
+// The force of dry friction that slides, but at springs, on the modes; empty where there is none.
 Vector friction_push(const System& system, const std::vector<Contact>& frictions);
 
 // (q', q'') at forcing phase theta while the stops `closed` (with independent rows) hold. `push`: a
@@ -53,8 +52,8 @@ State held_rate(const System& system, const std::vector<int>& closed, const Stat
 // The part of an acceleration that closed stops allow: P a = a - D (B^T D)^-1 B^T a.
 Vector held(const System& system, const std::vector<int>& closed, const Vector& acceleration);
 
-// How the force of a friction that sticks, N, changes with the state, with a delay of the forcing, and
-// in time along a motion of this rate.
+// How the force of a friction that sticks, N, changes with the state, with a delay of the forcing,
+// and in time along a motion of this rate.
 struct ForceChange {
   Vector by_q, by_qdot;
   double by_delay = 0.0, rate = 0.0;
@@ -63,8 +62,8 @@ ForceChange force_change(const System& system, const PhaseKey& key, int friction
                          const State& rate);
 
 // Removes the parts of deviations that closed stops do not allow: displacements along the rows,
-// which are rounding (where friction sticks they are kept), and velocities along the directions of the contact forces, which the contact
-// absorbs when it closes.
+// which are rounding (where friction sticks they are kept), and velocities along the directions of
+// the contact forces, which the contact absorbs when it closes.
 void hold(const System& system, const std::vector<int>& closed, Deviations& deviations);
 
 }  // namespace graze

@@ -66,7 +66,7 @@ class CarriedDeviations {
   void slip(int friction);
   bool departed_from(int stop) const;
   Deviations change_along(double flight, const std::vector<int>& closed);
-  void carry_parameter(const Arrival<double>& arrival, const std::vector<int>& closed);
+  void carry_parameter(const Arrival<double>& arrival);
   // `reach`: b.dq at the undeviated contact; `at_once`: without a flight.
   void meet(const Arrival<double>& arrival, const Eigen::RowVectorXd& reach, bool at_once);
   void undo(const std::vector<int>& stops, const Vector& parts, Matrix& columns) const;

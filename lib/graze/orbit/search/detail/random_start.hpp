@@ -13,12 +13,12 @@ inline std::size_t places_of_starts(const System& system) {
   return system.stops.size() + system.frictions.size();
 }
 
-// The static deflection under a force at a stop or a friction and a velocity of that shape, up to the system's
-// scale of displacement and speed, added to the steady response where there is one. It is moved
-// clear of the rigid stops where possible, and is no deeper in a spring than a motion of that speed
-// would press it: in a stiff spring it would else hold more energy than the forcing gives in any
-// number of periods. `coordinates`: of both at each of these in turn, in [-1, 1). Requires forcing
-// and one of them.
+// The static deflection under a force at a stop or a friction and a velocity of that shape, up to
+// the system's scale of displacement and speed, added to the steady response where there is one. It
+// is moved clear of the rigid stops where possible, and is no deeper in a spring than a motion of
+// that speed would press it: in a stiff spring it would else hold more energy than the forcing
+// gives in any number of periods. `coordinates`: of both at each of these in turn, in [-1, 1).
+// Requires forcing and one of them.
 State start_at(const System& system, std::span<const double> coordinates);
 
 // A random one of these, the same for the same numbers on every machine: number `draw` of the
