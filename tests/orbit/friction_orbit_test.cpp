@@ -1,9 +1,11 @@
 // Periodic orbits with dry friction: Den Hartog's oscillator in closed form, slopes by differences.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "graze/contact/detail/impulse.hpp"
 #include "graze/orbit/orbit_amplitudes.hpp"
@@ -53,6 +55,101 @@ TEST(FrictionOrbits, HaveDenHartogsAmplitude) {
       ++tried;
     }
   EXPECT_EQ(tried, 20);
+}
+
+// The same oscillator piece by piece in long double, from rest until what it was has died out:
+// sliding in closed form, the ends of pieces by bisection.
+class PiecewiseDenHartog {
+ public:
+  using Real = long double;
+  struct Piece {
+    double phase = 0.0;  // where it begins
+    Rubs what = Rubs::kSticks;
+    double place = 0.0;
+  };
+
+  PiecewiseDenHartog(Real frequency, Real force) : b_(frequency), force_(force) {}
+
+  // Those of one period, by phase.
+  std::vector<Piece> last_period() {
+    const Real period = 2 * std::numbers::pi_v<Real> / b_;
+    std::vector<Piece> pieces;
+    constexpr int kLast = 300;
+    while (t_ < (kLast + 1) * period) {
+      const bool sticks = !(std::abs(push(t_)) > force_);
+      const auto note = [&](Rubs what) {
+        if (t_ >= kLast * period && t_ < (kLast + 1) * period)
+          pieces.push_back({static_cast<double>(b_ * (t_ - kLast * period)), what,
+                            static_cast<double>(x_)});
+      };
+      if (sticks) {
+        note(Rubs::kSticks);
+        t_ = first_after(t_, [&](Real t) { return std::abs(push(t)) > force_; });
+      }
+      const bool forward = push(t_) > 0;
+      note(forward ? Rubs::kForward : Rubs::kBackward);
+      slide(forward ? 1 : -1);
+    }
+    return pieces;
+  }
+
+ private:
+  Real push(Real t) const { return std::cos(b_ * t) - x_; }
+
+  template <class Condition>
+  Real first_after(Real from, const Condition& holds) const {
+    constexpr Real kScan = 0.02L;
+    Real low = from, high = from + kScan;
+    while (!holds(high)) {
+      low = high;
+      high += kScan;
+    }
+    for (int i = 0; i < 70; ++i) {
+      const Real middle = low + (high - low) / 2;
+      (holds(middle) ? high : low) = middle;
+    }
+    return high;
+  }
+
+  void slide(int sign) {
+    const Real c = 1 / (1 - b_ * b_), rest = -sign * force_, t0 = t_;
+    const Real a = x_ - rest - c * std::cos(b_ * t0), b = c * b_ * std::sin(b_ * t0);
+    const auto speed = [&](Real t) {
+      return -a * std::sin(t - t0) + b * std::cos(t - t0) - c * b_ * std::sin(b_ * t);
+    };
+    t_ = first_after(t0, [&](Real t) { return !(sign * speed(t) > 0); });
+    x_ = rest + a * std::cos(t_ - t0) + b * std::sin(t_ - t0) + c * std::cos(b_ * t_);
+  }
+
+  Real b_, force_, t_ = 0, x_ = 0;
+};
+
+// Den Hartog's motions with one stop in half a period, and with two.
+TEST(FrictionOrbits, StopAsPiecesInClosedForm) {
+  const std::vector<std::tuple<double, double, int>> cases{
+      {0.4, 0.3, 2},  {0.5, 0.5, 2},  {0.7, 0.8, 2}, {0.9, 0.9, 2}, {1.3, 0.8, 2},
+      {0.25, 0.3, 2}, {0.85, 0.9, 2}, {0.2, 0.3, 4}, {0.3, 0.1, 4}, {0.15, 0.5, 4}};
+  for (const auto& [frequency, force, stops] : cases) {
+    const auto wanted = PiecewiseDenHartog(frequency, force).last_period();
+    const auto rests = std::ranges::count(wanted, Rubs::kSticks, &PiecewiseDenHartog::Piece::what);
+    ASSERT_EQ(rests, stops) << frequency << " " << force;
+    const System system = den_hartog(frequency, force);
+    const std::vector<Orbit> orbits = orbits_of(system);
+    ASSERT_EQ(orbits.size(), 1u) << frequency << " " << force;
+    std::vector<OrbitRubbing> found = orbits[0].rubbing;
+    ASSERT_EQ(found.size(), wanted.size()) << frequency << " " << force;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      EXPECT_EQ(found[i].what, wanted[i].what) << frequency << " " << force << " " << i;
+      EXPECT_NEAR(found[i].at.phase, wanted[i].phase, 1e-10) << frequency << " " << force;
+    }
+    double highest = 0.0;
+    for (const auto& piece : wanted) highest = std::max(highest, piece.place);
+    const Amplitudes seen = orbit_amplitudes(system, orbits[0], {{Vector::Ones(1)}});
+    EXPECT_NEAR(seen.rows[0].highest, highest, 1e-10) << frequency << " " << force;
+    EXPECT_EQ(orbits[0].stable, true);
+    // Where it stops nothing is left of its speed before.
+    EXPECT_LE(std::abs(orbits[0].multipliers.back().value), 1e-12);
+  }
 }
 
 struct Rubbing {

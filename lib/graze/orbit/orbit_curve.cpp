@@ -43,7 +43,7 @@ std::vector<std::vector<CurveSample>> from_impact_to_impact(
 
 std::vector<std::vector<CurveSample>> orbit_curve(const System& system, const Orbit& orbit,
                                                   const MeasuredRow& seen, int per_period) {
-  const double frequency = system.forcing()->frequency;
+  const double frequency = orbit.timed(system).forcing()->frequency;
   // The hops of a chatter are short and still curves, and so are contacts.
   const double least = orbit.section ? 12.0 : 1.0;
   State state{Vector(system.modes()), Vector(system.modes())};
@@ -108,11 +108,9 @@ std::vector<bool> fly_segments(const System& system, const Orbit& orbit,
 std::vector<bool> fly_orbit(const System& system, const Orbit& orbit,
                             const OrbitListeners& listeners) {
   if (orbit.lasts) {
-    System timed = system;
-    timed.modal().forcing->frequency = kTurn * orbit.period / *orbit.lasts;
     Orbit same = orbit;
     same.lasts.reset();
-    return fly_orbit(timed, same, listeners);
+    return fly_orbit(orbit.timed(system), same, listeners);
   }
   if (orbit.section && (orbit.meets_stops() || !system.frictions.empty()))
     return fly_segments(system, orbit, listeners);

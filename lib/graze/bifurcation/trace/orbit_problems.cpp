@@ -74,9 +74,9 @@ std::vector<OrbitProblems::Written> OrbitProblems::written(const Orbit& orbit, P
                                                 segment);
     });
     const auto& equations = dynamic_cast<const SegmentEquations&>(*orbits.problem);
-    System timed = *system;
-    if (orbit.lasts) timed.modal().forcing->frequency = kTurn * orbit.period / *orbit.lasts;
-    list.push_back({&orbits, equations.shooting().pack(timed, laid.theta, laid.states), laid.held});
+    list.push_back({&orbits,
+                    equations.shooting().pack(orbit.timed(*system), laid.theta, laid.states),
+                    laid.held});
   }
   return list;
 }

@@ -58,6 +58,12 @@ std::vector<OrbitImpact> ordered_impacts(const System& system, const ImpactPatte
   return impacts;
 }
 
+System Orbit::timed(const System& system) const {
+  System own = system;
+  if (lasts) own.modal().forcing->frequency = kTurn * period / *lasts;
+  return own;
+}
+
 ImpactPattern Orbit::pattern() const {
   ImpactPattern result{period, {}};
   for (const OrbitImpact& impact : impacts) result.stops.push_back(impact.stop);

@@ -87,6 +87,8 @@ struct Orbit {
   bool sticks() const { return !sticking.empty(); }
   // False for the response of the free structure.
   bool meets_stops() const { return sticks() || !impacts.empty(); }
+  // The system whose phase turns once in its period, where that is its own.
+  System timed(const System& system) const;
   // For the shooting equations, which support neither sticking nor compliant stops.
   ImpactPattern pattern() const;
   std::vector<ImpactPoint> points() const;

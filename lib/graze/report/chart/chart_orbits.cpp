@@ -61,20 +61,17 @@ class OrbitRow {
   OrbitRow(const System& system, const Orbit& orbit, const SeenPlace& place, double end,
            Units units, DrawnOrbit drawn)
       : orbit_(orbit),
-        frequency_(system.forcing()->frequency),
+        frequency_(orbit.timed(system).forcing()->frequency),
         whole_(kTurn * orbit.period),
         drawn_(std::move(drawn)) {
-    const bool has_stop = !place.stops.empty();
-    const std::string unit = unit_in(units, has_stop ? "m" : "kg^1/2 m");
-    const std::string speed_unit = unit_in(units, has_stop ? "m/s" : "kg^1/2 m/s");
-    const std::string stop = system.stops.size() > 1 && has_stop
-                                 ? fmt::format("stop {}", place.stops.front().index + 1)
-                                 : "stop";
-    const std::string where = has_stop ? "→ " + stop : "q_1";
+    const std::string unit = unit_in(units, place.is_modal() ? "kg^1/2 m" : "m");
+    const std::string speed_unit = unit_in(units, place.is_modal() ? "kg^1/2 m/s" : "m/s");
+    const std::string where = place.towards(system);
     motion_ = {{.name = "time", .unit = unit_in(units, "s")},
                {.name = "displacement\n" + where, .unit = unit}};
     motion_.x.range = {0.0, end};
-    portrait_ = {{.name = has_stop ? "towards " + stop : "q_1", .unit = unit},
+    portrait_ = {{.name = place.stops.empty() ? where : "towards " + place.name(system),
+                  .unit = unit},
                  {.name = "velocity\n" + where, .unit = speed_unit}};
     motion_.height = portrait_.height = 3.0;
     motion_.heading = heading_of(orbit, units);
@@ -83,6 +80,7 @@ class OrbitRow {
     add_curves();
     add_impacts();
     add_stuck();
+    for (const int friction : place.frictions) add_rests(friction);
     for (const SeenStop& seen : place.stops) add_stop(seen);
     if (drawn_.thing < 0) return;
     for (ChartPanel* panel : {&motion_, &portrait_})
@@ -155,14 +153,33 @@ class OrbitRow {
   }
 
   void add_stuck() {
-    for (const StickingPhase& sticking : orbit_.sticking)
-      for (const double shift : {whole_, 0.0}) {
-        const double from = sticking.from.phase + kTurn * sticking.from.period_index - shift;
-        const double to = from + sticking.duration * frequency_;
-        if (to > 0.0 && from < whole_)
-          motion_.fills.push_back({false, std::max(from, 0.0) / frequency_,
-                                   std::min(to, whole_) / frequency_, "stuck", kStuckShade});
-      }
+    for (const StickingPhase& sticking : orbit_.sticking) {
+      const double from = sticking.from.phase + kTurn * sticking.from.period_index;
+      shade(from, from + sticking.duration * frequency_);
+    }
+  }
+
+  // Where dry friction sticks, up to what it does next.
+  void add_rests(int friction) {
+    std::vector<OrbitRubbing> own;
+    for (const OrbitRubbing& one : orbit_.rubbing)
+      if (one.friction == friction) own.push_back(one);
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      if (own[k].what != Rubs::kSticks) continue;
+      const auto phase = [](const OrbitRubbing& one) {
+        return one.at.phase + kTurn * one.at.period_index;
+      };
+      const double from = phase(own[k]), to = phase(own[(k + 1) % own.size()]);
+      shade(from, k + 1 < own.size() ? to : to + whole_);
+    }
+  }
+
+  // From one phase to another, as far as the orbit's periods go.
+  void shade(double from, double to) {
+    for (const double shift : {whole_, 0.0})
+      if (to > shift && from - shift < whole_)
+        motion_.fills.push_back({false, std::max(from - shift, 0.0) / frequency_,
+                                 std::min(to - shift, whole_) / frequency_, "stuck", kStuckShade});
   }
 
   void add_stop(const SeenStop& stop) {
@@ -212,18 +229,18 @@ struct OrbitsSeen {
 
 OrbitsSeen orbits_seen(const OrbitRecord& record, std::size_t count) {
   const std::vector<Orbit>& orbits = record.found.orbits;
-  int stop = 0, periods = 1;
+  int stop = 0;
+  double end = 0.0;
   for (std::size_t i = count; i-- > 0;) {
     if (!orbits[i].impacts.empty()) stop = orbits[i].impacts.front().stop;
-    periods = std::max(periods, orbits[i].period);
+    end = std::max(end, orbits[i].period * orbits[i].timed(record.system).period());
   }
   const std::vector<SeenPlace> places = places_of(record.system);
   const auto at_stop = std::find_if(places.begin(), places.end(), [&](const SeenPlace& any) {
     return std::any_of(any.stops.begin(), any.stops.end(),
                        [&](const SeenStop& seen) { return seen.index == stop; });
   });
-  return {at_stop == places.end() ? places.front() : *at_stop,
-          periods * kTurn / record.system.forcing()->frequency};
+  return {at_stop == places.end() ? places.front() : *at_stop, end};
 }
 
 }  // namespace

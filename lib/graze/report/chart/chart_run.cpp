@@ -46,31 +46,33 @@ class RunChart {
     add_velocity(seen_.places.front());
     for (const ProbePanel& panel : probe_panels(seen_.probes)) add_probes(panel);
     if (!seen_.forces.empty()) add_forces();
+    if (!seen_.rubbing.empty() && !record_.samples.empty()) add_rubbing();
     if (!seen_.energy.empty()) add_energy();
     if (!record_.samples.empty() && !explored_) add_portraits();
     return std::move(chart_);
   }
 
  private:
-  bool no_stops() const { return record_.system.stops.empty(); }
   bool several_stops() const { return record_.system.stops.size() > 1; }
-  // Without a stop the coordinate is modal, which is no length.
-  std::string length() const { return unit_in(units_, no_stops() ? "kg^1/2 m" : "m"); }
-  std::string speed() const { return unit_in(units_, no_stops() ? "kg^1/2 m/s" : "m/s"); }
+  // A modal coordinate is no length.
+  std::string length(const SeenPlace& place) const {
+    return unit_in(units_, place.is_modal() ? "kg^1/2 m" : "m");
+  }
+  std::string speed(const SeenPlace& place) const {
+    return unit_in(units_, place.is_modal() ? "kg^1/2 m/s" : "m/s");
+  }
   // "stop", or "stop 2" where there are several.
   std::string name_of(const SeenStop& stop) const {
     return several_stops() ? fmt::format("stop {}", stop.index + 1) : "stop";
   }
-  // The name of the first stop at the place.
-  std::string stop_name(const SeenPlace& place) const { return name_of(place.stops.front()); }
   // As all that is shown of a place, in the few letters that a low panel is high; probes show u and
   // u'. The panels of a page are higher.
   std::string towards(const SeenPlace& place) const {
-    if (!explored_) return "→ " + stop_name(place);
-    return several_stops() ? "towards " + stop_name(place) : "towards the stop";
+    if (!explored_ || place.stops.empty()) return place.towards(record_.system);
+    return several_stops() ? "towards " + place.name(record_.system) : "towards the stop";
   }
   std::string velocity_name(const SeenPlace& place) const {
-    return no_stops() ? "rate of q_1\n" : "velocity\n" + towards(place);
+    return place.is_modal() ? "rate of q_1\n" : "velocity\n" + towards(place);
   }
 
   ChartPanel over_time(ChartAxis up) const {
@@ -142,8 +144,8 @@ class RunChart {
 
   void add_displacement(const SeenPlace& place) {
     ChartPanel panel =
-        over_time({.name = no_stops() ? "first mode q_1\n" : "displacement\n" + towards(place),
-                   .unit = length()});
+        over_time({.name = place.is_modal() ? "first mode q_1\n" : "displacement\n" + towards(place),
+                   .unit = length(place)});
     const AxisRange motion = displacements(place.motion);
     panel.y.range = motion;
     if (record_.samples.empty()) panel.y.range.include(0.0);
@@ -176,7 +178,7 @@ class RunChart {
 
   void add_velocity(const SeenPlace& place) {
     ChartPanel panel = over_time(
-        {.name = velocity_name(place), .unit = speed(), .range = velocities(place.motion)});
+        {.name = velocity_name(place), .unit = speed(place), .range = velocities(place.motion)});
     panel.levels = {0.0};
     add_stuck(place, panel);
     ChartSeries line = line_of("", {.id = "velocity", .colour = kBlue, .width = 1.2});
@@ -226,6 +228,19 @@ class RunChart {
     put(std::move(panel));
   }
 
+  void add_rubbing() {
+    ChartPanel panel = over_time({.name = "friction\nforce", .unit = unit_in(units_, "N")});
+    panel.levels = {0.0};
+    const bool several = seen_.rubbing.size() > 1;
+    for (std::size_t k = 0; k < std::min(seen_.rubbing.size(), curve_colours().size()); ++k)
+      panel.series.push_back(line_of(seen_.rubbing[k],
+                                     several ? fmt::format("force of friction {}", k + 1) : "",
+                                     {.id = fmt::format("friction{}", k + 1),
+                                      .colour = curve_colours()[k],
+                                      .width = 1.2}));
+    put(std::move(panel));
+  }
+
   void add_energy() {
     const bool has_work = seen_.energy.size() > 1;
     ChartPanel panel = over_time({.name = has_work ? "energy,\nwork" : "energy",
@@ -263,13 +278,15 @@ class RunChart {
 
   ChartPanel portrait(const SeenPlace& place, bool is_alone) {
     const std::string name =
-        no_stops() ? "first mode q_1"
-                   : (is_alone ? "displacement " : "") + std::string("towards ") + stop_name(place);
+        place.is_modal() ? "first mode q_1"
+                         : (is_alone ? "displacement " : "") +
+                               (place.stops.empty() ? "at " : std::string("towards ")) +
+                               place.name(record_.system);
     const std::span<const MotionPoint> motion = portrayed(place);
     ChartPanel panel{
-        .x = {.name = name, .unit = length(), .range = displacements(motion)},
-        .y = {.name = is_alone || no_stops() ? velocity_name(place) : "velocity\n→ stop",
-              .unit = speed(),
+        .x = {.name = name, .unit = length(place), .range = displacements(motion)},
+        .y = {.name = is_alone || place.stops.empty() ? velocity_name(place) : "velocity\n→ stop",
+              .unit = speed(place),
               .range = velocities(motion)},
         .levels = {0.0},
         .height = kPortrait};
@@ -292,7 +309,8 @@ class RunChart {
   // Where the motion sticks the portrait has a point.
   static void add_rests(const SeenPlace& place, ChartPanel& panel) {
     std::vector<double> rests;
-    for (const StuckPhase& phase : place.stuck) rests.push_back(phase.place);
+    for (const StuckPhase& phase : place.stuck)
+      if (!std::isnan(phase.place)) rests.push_back(phase.place);
     std::sort(rests.begin(), rests.end());
     rests.erase(std::unique(rests.begin(), rests.end()), rests.end());
     ChartSeries series = marks_of({.id = "rest",

@@ -29,7 +29,8 @@ Chart section_chart(const SimulationRecord& record) {
   if (is_of_impacts)
     for (std::size_t i = 0; i < stops; ++i) add(static_cast<int>(i));
   else
-    for (const SeenPlace& place : places_of(record.system)) add(place.stops[0].index);
+    for (const SeenPlace& place : places_of(record.system))
+      if (!place.stops.empty()) add(place.stops[0].index);
   for (const SectionPoint& point : section.points())
     if (const auto at = seen.find(point.stop); at != seen.end())
       add_point(at->second, point.across, point.up);

@@ -51,17 +51,16 @@ Chart spectrum_chart(const SimulationRecord& record) {
                                                (samples.back().time - samples.front().time);
   for (const SeenPlace& place : places_of(record.system)) {
     if (chart.rows.size() == kMostPlaces) break;
-    const bool has_stop = !place.stops.empty();
     std::vector<double> values;
     for (const Sample& sample : samples) values.push_back(place.row.dot(sample.state.q));
     const Spectrum spectrum = amplitude_spectrum(values, rate);
     chart.rows.push_back({lines_panel(
         record,
-        {.name = !has_stop ? std::string("amplitude of q_1")
-                 : record.system.stops.size() > 1
-                     ? fmt::format("amplitude\nat stop {}", place.stops.front().index + 1)
-                     : "amplitude at the stop",
-         .unit = unit_in(record.info.units, has_stop ? "m" : "kg^1/2 m")},
+        {.name = place.is_modal() ? std::string("amplitude of q_1")
+                 : record.system.stops.size() == 1 && !place.stops.empty()
+                     ? "amplitude at the stop"
+                     : "amplitude\nat " + place.name(record.system),
+         .unit = unit_in(record.info.units, place.is_modal() ? "kg^1/2 m" : "m")},
         1e-6, spectrum.frequency, spectrum.amplitude, 0.5 * rate)});
   }
   return chart;

@@ -79,7 +79,7 @@ void add_stroboscopic(const DiagramRecord& record, Observables& list) {
   const bool has_curves = !record.branches.shown && !record.curves.empty();
   std::size_t shown = 0;
   for (const SeenPlace& place : places_of(record.branches.system)) {
-    if (shown++ == kMostObservedPlaces) break;
+    if (place.stops.empty() || shown++ == kMostObservedPlaces) break;
     const int stop = place.stops.front().index;
     const auto index = static_cast<std::size_t>(stop);
     const std::string which = stops > 1 ? fmt::format("stop {}", stop + 1) : "the stop";

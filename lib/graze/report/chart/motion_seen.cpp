@@ -1,5 +1,7 @@
 #include "graze/report/chart/detail/motion_seen.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -43,7 +45,9 @@ std::optional<Sample> end_sample(const SimulationRecord& record) {
   if (samples.empty() || !window_reaches_end(record) || run.end_time <= samples.back().time ||
       run.final.q.size() != samples.back().state.q.size())
     return {};
-  return Sample{run.end_time, run.final, run.phase, run.forces, run.energy};
+  Sample last{run.end_time, run.final, run.phase, run.forces, run.energy};
+  for (const AtFriction& one : run.frictions) last.frictions.push_back(one.force);
+  return last;
 }
 
 void gather_impacts(const SimulationRecord& record, const TimeSpan& window, SeenPlace& place) {
@@ -139,6 +143,30 @@ DrawnCurve force_curve(const SamplesSeen& samples, const SimulationRecord& recor
   return curve;
 }
 
+// When it stuck, within the window.
+std::vector<TimeSpan> rests_of(const SimulationRecord& record, int friction,
+                               const TimeSpan& window) {
+  const auto is_own = [&](const Event& event) { return event.friction == friction; };
+  const auto first = std::find_if(record.events.begin(), record.events.end(), is_own);
+  const auto place = static_cast<std::size_t>(friction);
+  const std::vector<AtFriction>& at_end = record.run.frictions;
+  bool sticks = first != record.events.end() ? first->kind == EventKind::kSlip
+                                             : place < at_end.size() && at_end[place].sticks;
+  std::vector<TimeSpan> rests;
+  double since = window.start;
+  const auto end_at = [&](double time) {
+    if (sticks && time > window.start) rests.push_back({std::max(since, window.start), time});
+  };
+  for (auto event = first; event != record.events.end() && event->time <= window.end; ++event) {
+    if (!is_own(*event)) continue;
+    end_at(event->time);
+    sticks = event->kind == EventKind::kFrictionStick;
+    since = event->time;
+  }
+  end_at(window.end);
+  return rests;
+}
+
 std::vector<EnergyTerm> energy_terms(const SamplesSeen& samples, const System& system) {
   if (samples.empty() || !samples.front()->energy) return {};
   struct Entry {
@@ -231,21 +259,33 @@ std::vector<TimeSpan> stuck_phases(const SimulationRecord& record, int stop,
 
 std::vector<SeenPlace> places_of(const System& system) {
   std::vector<SeenPlace> places;
-  for (std::size_t i = 0; i < system.stops.size(); ++i) {
-    const Stop& stop = system.stops[i];
-    const auto sense_at = [&](const SeenPlace& place) {
+  const auto place_of = [&](const Vector& row) -> std::pair<SeenPlace&, double> {
+    for (SeenPlace& known : places)
       for (const double sense : {1.0, -1.0})
-        if ((stop.row - sense * place.row).norm() <= 1e-9 * stop.row.norm()) return sense;
-      return 0.0;
-    };
-    auto place = std::find_if(places.begin(), places.end(),
-                              [&](const SeenPlace& known) { return sense_at(known) != 0.0; });
-    if (place == places.end()) place = places.insert(place, SeenPlace{stop.row, {}, {}, {}, {}});
-    const double sense = sense_at(*place);
-    place->stops.push_back({static_cast<int>(i), sense, sense * stop.gap});
+        if ((row - sense * known.row).norm() <= 1e-9 * row.norm()) return {known, sense};
+    return {places.emplace_back(SeenPlace{row, {}, {}, {}, {}, {}}), 1.0};
+  };
+  for (std::size_t i = 0; i < system.stops.size(); ++i) {
+    const auto [place, sense] = place_of(system.stops[i].row);
+    place.stops.push_back({static_cast<int>(i), sense, sense * system.stops[i].gap});
   }
-  if (places.empty()) places.push_back({Vector::Unit(system.modes(), 0), {}, {}, {}, {}});
+  for (std::size_t k = 0; k < system.frictions.size(); ++k)
+    place_of(system.frictions[k].row).first.frictions.push_back(static_cast<int>(k));
+  if (places.empty()) place_of(Vector::Unit(system.modes(), 0));
   return places;
+}
+
+std::string SeenPlace::name(const System& system) const {
+  if (is_modal()) return "q_1";
+  const auto numbered = [](const char* what, std::size_t count, int index) {
+    return count > 1 ? fmt::format("{} {}", what, index + 1) : std::string(what);
+  };
+  return stops.empty() ? numbered("friction", system.frictions.size(), frictions.front())
+                       : numbered("stop", system.stops.size(), stops.front().index);
+}
+
+std::string SeenPlace::towards(const System& system) const {
+  return (stops.empty() ? is_modal() ? "" : "at " : "→ ") + name(system);
 }
 
 MotionSeen motion_seen(const SimulationRecord& record) {
@@ -262,6 +302,14 @@ MotionSeen motion_seen(const SimulationRecord& record) {
     for (const SeenStop& stop : place.stops)
       for (const TimeSpan& phase : stuck_phases(record, stop.index, seen.window))
         place.stuck.push_back({phase, stop.place});
+    for (const int friction : place.frictions)
+      for (const TimeSpan& rest : rests_of(record, friction, seen.window))
+        place.stuck.push_back({rest, std::nan("")});
+  }
+  for (std::size_t k = 0; k < record.system.frictions.size(); ++k) {
+    DrawnCurve& force = seen.rubbing.emplace_back();
+    for (const Sample* sample : samples)
+      if (k < sample->frictions.size()) force.push_back({sample->time, sample->frictions[k]});
   }
   for (int i = 0; i < static_cast<int>(record.system.stops.size()); ++i) {
     DrawnCurve force = force_curve(samples, record, i, seen.window);

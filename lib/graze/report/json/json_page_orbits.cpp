@@ -81,6 +81,7 @@ Json place_json(const System& system, const SeenPlace& place, const PlaceSeries&
 std::vector<SeenPlace> places_seen(const System& system, int first_stop) {
   if (system.stops.empty()) return {};
   std::vector<SeenPlace> places = places_of(system);
+  std::erase_if(places, [](const SeenPlace& place) { return place.stops.empty(); });
   const auto has_it = [&](const SeenPlace& place) {
     return std::any_of(place.stops.begin(), place.stops.end(),
                        [&](const SeenStop& stop) { return stop.index == first_stop; });
@@ -196,7 +197,7 @@ Json motion_json(const PageSource& source, const System& system, const PageMotio
   const MotionSeen seen = motion_seen(record);
   for (const SeenPlace& shown : places_seen(system, first))
     for (const SeenPlace& place : seen.places) {
-      if (place.stops.front().index != shown.stops.front().index) continue;
+      if (place.stops.empty() || place.stops.front().index != shown.stops.front().index) continue;
       PlaceSeries series;
       for (const MotionPoint& point : place.motion)
         // A point at which the velocity jumps belongs to both sides, which have points of their

@@ -12,7 +12,9 @@ namespace {
 
 // "stop 1", "stops 1 and 2", "the stop"
 std::string name_of(const SeenPlace& place, std::size_t stops) {
-  if (stops < 2) return stops == 0 ? "" : "the stop";
+  if (place.stops.empty())
+    return place.is_modal() ? "" : fmt::format("friction {}", place.frictions.front() + 1);
+  if (stops < 2) return "the stop";
   std::string name = place.stops.size() > 1 ? "stops" : "stop";
   for (const SeenStop& stop : place.stops)
     name += fmt::format("{} {}", &stop == &place.stops.front() ? "" : " and", stop.index + 1);

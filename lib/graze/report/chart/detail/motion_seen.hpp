@@ -2,6 +2,7 @@
 // the contact forces and the energy.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "graze/record/records.hpp"
@@ -43,17 +44,24 @@ struct MotionPoint {
 
 struct StuckPhase {
   TimeSpan time;
-  double place = 0.0;  // of the stop, m
+  double place = 0.0;  // of the stop, m; NaN: where dry friction sticks
 };
 
-// One point of the structure, along the row of the first stop there. Without stops it is the first
-// modal coordinate.
+// One point of the structure, along the row of the first stop there, or of the first dry friction.
+// Where there is neither it is the first modal coordinate.
 struct SeenPlace {
   Vector row;
   std::vector<SeenStop> stops;
+  std::vector<int> frictions{};  // that rub along it
   std::vector<SeenImpact> impacts;
   std::vector<MotionPoint> motion;  // includes the impacts themselves, which samples may miss
-  std::vector<StuckPhase> stuck;    // stop by stop
+  std::vector<StuckPhase> stuck;    // stop by stop, then of dry friction
+
+  bool is_modal() const { return stops.empty() && frictions.empty(); }
+  // "stop", "stop 2" where there are several, "friction", or "q_1".
+  std::string name(const System& system) const;
+  // The same behind an arrow, where there is a stop to move to.
+  std::string towards(const System& system) const;
 };
 
 struct SeenForce {
@@ -75,13 +83,14 @@ struct SeenProbe {
 
 struct MotionSeen {
   TimeSpan window;
-  std::vector<SeenPlace> places;   // in the order of the stops, never empty
+  std::vector<SeenPlace> places;   // in the order of the stops, then of frictions; never empty
   std::vector<SeenForce> forces;   // of the stops that held something
+  std::vector<DrawnCurve> rubbing;  // forces of dry friction against u, N
   std::vector<EnergyTerm> energy;  // energy now, and the work done on it since the window began
   std::vector<SeenProbe> probes;   // none where no samples are
 };
 
-// The places of the system's stops, in their order, without motion.
+// The places of the system's stops and of its dry friction, in their order, without motion.
 std::vector<SeenPlace> places_of(const System& system);
 
 MotionSeen motion_seen(const SimulationRecord& record);
