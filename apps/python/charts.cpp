@@ -33,6 +33,10 @@ const char* mark_name(MarkShape mark) {
       return "p";
     case MarkShape::kCross:
       return "x";
+    case MarkShape::kPlus:
+      return "+";
+    case MarkShape::kStar:
+      return "$*$";
     case MarkShape::kNone:
       break;
   }

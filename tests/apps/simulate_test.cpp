@@ -224,7 +224,7 @@ TEST(Simulate, TablesHoldWhatTheDocumentHolds) {
   ASSERT_EQ(events.size(), document["events"].size() + 1);
   EXPECT_EQ(events[0],
             "kind,time,stop,speed,phase,energy_change,impacts,closure_speed,force,duration,"
-            "peak_force,effective_restitution");
+            "peak_force,effective_restitution,friction,direction");
   for (std::size_t i = 1; i < events.size(); ++i) {
     std::istringstream row(events[i]);
     for (const char* key : {"kind", "time", "stop", "speed", "phase", "energy_change", "impacts",

@@ -20,19 +20,19 @@ std::vector<std::string> cells_of(std::string row) {
 TEST(EventsCsv, KeepsEveryDigitAndLeavesWhatDoesNotExistEmpty) {
   EXPECT_EQ(events_csv_header(),
             "kind,time,stop,speed,phase,energy_change,impacts,closure_speed,force,duration,"
-            "peak_force,effective_restitution\n");
+            "peak_force,effective_restitution,friction,direction\n");
   Event event;
   event.time = 0.1 + 0.2;
   event.speed = 1.0 / 3.0;
   event.energy_change = -std::numeric_limits<double>::min();
   const std::vector<std::string> cell = cells_of(events_csv_row(event));
-  ASSERT_EQ(cell.size(), 12U);
+  ASSERT_EQ(cell.size(), 14U);
   EXPECT_EQ(cell[0], "impact");
   EXPECT_EQ(std::stod(cell[1]), event.time);
   EXPECT_EQ(cell[2], "1");
   EXPECT_EQ(std::stod(cell[3]), event.speed);
   EXPECT_EQ(std::stod(cell[5]), event.energy_change);
-  for (const std::size_t i : {4U, 6U, 7U, 8U, 9U, 10U, 11U}) EXPECT_EQ(cell[i], "") << i;
+  for (const std::size_t i : {4U, 6U, 7U, 8U, 9U, 10U, 11U, 12U, 13U}) EXPECT_EQ(cell[i], "") << i;
 }
 
 TEST(EventsCsv, EveryKindFillsItsOwnColumns) {
@@ -52,12 +52,15 @@ TEST(EventsCsv, EveryKindFillsItsOwnColumns) {
     event.kind = kind;
     return events_csv_row(event);
   };
-  EXPECT_EQ(row(EventKind::kImpact), "impact,1.5,3,0.25,0.75,-0.5,,,,,,\n");
-  EXPECT_EQ(row(EventKind::kChatter), "chatter,1.5,3,,,-0.5,12,0.125,,,,\n");
-  EXPECT_EQ(row(EventKind::kStick), "stick,1.5,3,,,,,,4.5,,,\n");
-  EXPECT_EQ(row(EventKind::kRelease), "release,1.5,3,,,,,,,,,\n");
-  EXPECT_EQ(row(EventKind::kContact), "contact,1.5,3,0.25,0.75,,,,,,,\n");
-  EXPECT_EQ(row(EventKind::kSeparation), "separation,1.5,3,0.25,,-0.5,,,,0.0625,8.5,0.875\n");
+  EXPECT_EQ(row(EventKind::kImpact), "impact,1.5,3,0.25,0.75,-0.5,,,,,,,,\n");
+  EXPECT_EQ(row(EventKind::kChatter), "chatter,1.5,3,,,-0.5,12,0.125,,,,,,\n");
+  EXPECT_EQ(row(EventKind::kStick), "stick,1.5,3,,,,,,4.5,,,,,\n");
+  EXPECT_EQ(row(EventKind::kRelease), "release,1.5,3,,,,,,,,,,,\n");
+  EXPECT_EQ(row(EventKind::kContact), "contact,1.5,3,0.25,0.75,,,,,,,,,\n");
+  EXPECT_EQ(row(EventKind::kSeparation), "separation,1.5,3,0.25,,-0.5,,,,0.0625,8.5,0.875,,\n");
+  event.friction = 1;
+  event.direction = -1;
+  EXPECT_EQ(row(EventKind::kSlip), "slip,1.5,,,,,,,,,,,2,-1\n");
 }
 
 TEST(SamplesCsv, HoldsStateGapsAndForces) {

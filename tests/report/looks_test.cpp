@@ -26,7 +26,10 @@ TEST(Looks, OfSpecialPointsDifferInTheirShape) {
   std::set<int> shapes;
   for (const Look& look : special_looks()) EXPECT_TRUE(shapes.insert(point_type(look)).second);
   EXPECT_TRUE(shapes.insert(point_type(special_look("of a later version"))).second);
-  for (const Look& look : dot_looks()) EXPECT_FALSE(shapes.contains(point_type(look)));
+  for (const Look& look : dot_looks()) {
+    if (look.id == "cut") continue;  // in the panel of exponents, where there are none
+    EXPECT_FALSE(shapes.contains(point_type(look)));
+  }
 }
 
 TEST(Looks, OfLinesDifferInTheirDashesOrColourlessly) {

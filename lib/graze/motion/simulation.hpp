@@ -25,6 +25,7 @@ struct SimulationOptions {
   bool energy = false;                      // keep the energy balance
   std::optional<MeasureOptions> measure{};  // absent: it is not
   std::optional<StepSetting> steps{};       // integrate step by step; absent: the exact flow
+                                            // (dry friction, which steps do not know, needs it)
   StopSignal stop;
 };
 

@@ -37,8 +37,8 @@ const std::vector<Look> kSpecial = {
     mark("LO", "lift-off (LO)", kOrange, MarkShape::kPentagon, true, 1.0),
     mark("GS", "grazing-sliding (GS)", kSky, MarkShape::kUp, false, 0.9),
     mark("CS", "crossing-sliding (CS)", kPurple, MarkShape::kDown, false, 0.9),
-    mark("SS", "switching-sliding (SS)", kOrange, MarkShape::kSquare, true, 0.8),
-    mark("AS", "adding-sliding (AS)", kGreen, MarkShape::kDiamond, false, 0.8),
+    mark("SS", "switching-sliding (SS)", kOrange, MarkShape::kPlus, false, 1.0),
+    mark("AS", "adding-sliding (AS)", kGreen, MarkShape::kStar, false, 1.0),
     mark("UZ", "level (UZ)", kIndigo, MarkShape::kPentagon, false, 0.9),
     mark("EX", "extreme (EX)", kVermillion, MarkShape::kDiamond, true, 1.0)};
 const Look kVirtualSpecial =
@@ -109,7 +109,7 @@ std::string words(const Look& look) {
   }
   static constexpr std::array kShapes = {"",        "dot",         "circle",        "square",
                                          "diamond", "triangle up", "triangle down", "pentagon",
-                                         "cross"};
+                                         "cross",   "plus",        "star"};
   return std::string(look.open ? "open " : "") + kShapes[static_cast<std::size_t>(look.mark)];
 }
 

@@ -23,7 +23,7 @@ inline constexpr const char* kStopShade = "#DDDDDD";
 inline constexpr const char* kStuckShade = "#F2C35E";
 
 // What a mark is drawn as; those that are `open` are outlines on the paper's white.
-enum class MarkShape { kNone, kDot, kCircle, kSquare, kDiamond, kUp, kDown, kPentagon, kCross };
+enum class MarkShape { kNone, kDot, kCircle, kSquare, kDiamond, kUp, kDown, kPentagon, kCross, kPlus, kStar };
 
 struct Look {
   std::string id = {};     // "stable", "LP", "clear"

@@ -5,6 +5,8 @@ const kPaths = {
   dot: 'M10 1A9 9 0 1 0 10 19A9 9 0 1 0 10 1Z',
   circle: 'M10 1A9 9 0 1 0 10 19A9 9 0 1 0 10 1Z',
   cross: 'M2 2L18 18M18 2L2 18',
+  plus: 'M10 0V20M0 10H20',
+  star: 'M10 0V20M0 10H20M3 3L17 17M17 3L3 17',
   square: 'M2 2H18V18H2Z',
   diamond: 'M10 0L20 10L10 20L0 10Z',
   up: 'M10 1L19.5 18H0.5Z',

@@ -9,7 +9,7 @@ namespace {
 
 const char* name_of(MarkShape shape) {
   static constexpr std::array kLookNames = {"none", "dot",  "circle",   "square", "diamond",
-                                            "up",   "down", "pentagon", "cross"};
+                                            "up",   "down", "pentagon", "cross",  "plus", "star"};
   return kLookNames[static_cast<std::size_t>(shape)];
 }
 

@@ -27,6 +27,10 @@ PointTypes types_of(MarkShape shape) {
       return {15, 14};
     case MarkShape::kCross:
       return {2, 2};
+    case MarkShape::kPlus:
+      return {1, 1};
+    case MarkShape::kStar:
+      return {3, 3};
     default:
       return {7, 6};
   }
@@ -53,8 +57,9 @@ std::string line_of(const Look& look, double weight) {
 }
 
 std::string mark_of(const Look& look, double scale) {
-  // A cross has no face: its strokes are as wide as two outlines.
-  const double width = look.mark == MarkShape::kCross ? 2.0 * look.width : look.width;
+  // Crosses have no face: their strokes are as wide as two outlines.
+  const PointTypes types = types_of(look.mark);
+  const double width = types.filled == types.outline ? 2.0 * look.width : look.width;
   return fmt::format("with points pt {} ps {:.2f}*mark lw {:.3g} lc rgb '{}'", point_type(look),
                      look.size * scale, width, look.colour);
 }
