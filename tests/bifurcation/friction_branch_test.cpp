@@ -8,6 +8,7 @@
 
 #include "graze/bifurcation/cut/detail/sliding_order.hpp"
 #include "graze/bifurcation/trace/orbit_branches.hpp"
+#include "graze/motion/simulation.hpp"
 #include "graze/orbit/problem/detail/followed_orbit.hpp"
 #include "graze/scene/reader.hpp"
 
@@ -56,6 +57,16 @@ TEST(FrictionBranch, BeginsToStickAtDenHartogsLimit) {
   }
 }
 
+// Up to a friction of pi/4 of the force the amplitude grows without bound towards resonance (Den
+// Hartog): a branch that ends there, where rounding decides, does not come back to its start.
+TEST(FrictionBranch, DoesNotCloseThroughResonance) {
+  const OrbitBranches found =
+      traced(oscillator(0.0, forced(0.992)), "forcing.frequency", 0.99, 1.0, 1);
+  ASSERT_EQ(found.branches.size(), 1u);
+  EXPECT_EQ(found.branches[0].ends[0], OrbitBranchEnd::kParameterLimit);
+  EXPECT_EQ(found.branches[0].ends[1], OrbitBranchEnd::kNotConverged);
+}
+
 // Beside each special point the orbits slide and stick in another order.
 TEST(FrictionBranch, ChangesTheOrderAtItsSpecialPoints) {
   const Scene scene = oscillator(0.1, forced(0.3));
@@ -75,6 +86,44 @@ TEST(FrictionBranch, ChangesTheOrderAtItsSpecialPoints) {
     }
     EXPECT_FALSE(has_same_sliding(beside[0], beside[1])) << at.id << " " << at.at.value;
   }
+}
+
+// Where |force| of the first friction would peak at the end of its first rest, N: of the parabola
+// through the last three samples before it slips.
+double peak_of_rest(const System& system, const Orbit& orbit, double sliding) {
+  constexpr double kSamples = 20000;
+  RunState from;
+  from.motion = orbit.section->states.front();
+  from.streaks.resize(system.stops.size());
+  from.contacts.resize(system.stops.size());
+  SimulationOptions options;
+  const double begin = seconds_at(from.motion.instant, system.period());
+  options.duration = begin + system.period();
+  std::vector<double> force;
+  RunListeners listeners;
+  listeners.sample_rate = kSamples / system.period();
+  listeners.sample_from = begin;
+  listeners.sample = [&](const Sample& at) { force.push_back(std::abs(at.frictions[0])); };
+  resume(system, from, options, listeners);
+  std::size_t last = 3;
+  while (last + 1 < force.size() && (force[last - 2] == sliding || force[last + 1] != sliding))
+    ++last;
+  const double a = force[last - 2], b = force[last - 1], c = force[last];
+  return b + (a - c) * (a - c) / (8.0 * (2.0 * b - a - c));
+}
+
+// Where friction at rest may be larger than in sliding, a branch ends where a rest would not break:
+// the force there only touches the limit.
+TEST(FrictionBranch, EndsWhereARestIsAboutToBreak) {
+  const Scene scene = read_scene(GRAZE_SOURCE_DIR "/data/scenes/39_friction_damper.toml");
+  const OrbitBranches found = traced(scene, "forcing.frequency", 6.9, 7.3);
+  ASSERT_EQ(found.branches.size(), 1u);
+  const OrbitBranch& branch = found.branches[0];
+  ASSERT_EQ(branch.ends[1], OrbitBranchEnd::kSliding);
+  EXPECT_EQ(branch.special.back().kind, SpecialKind::kAddingSliding);
+  const SystemFamily family(scene, "forcing.frequency");
+  const OrbitBranchPoint& end = branch.points.back();
+  EXPECT_NEAR(peak_of_rest(*family.at(end.value), end.orbit, 0.4), 0.5, 1e-9);
 }
 
 std::string on_belt(double speed) {

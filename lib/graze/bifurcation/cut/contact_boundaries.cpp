@@ -15,6 +15,8 @@ namespace {
 // How far the end of a trace may lie from its grazing, in lengths of the range: as near as it has
 // to come in speed.
 constexpr double kBeside = 1e-5;
+// How far beyond a last solution another order is looked for, in parts of the unknowns.
+constexpr double kLeastBeyond = 1e-12, kMostBeyond = 1e-6;
 
 // The stop of a contact that only one of two orbits has; nullopt when they have the same contacts.
 std::optional<int> stop_of_difference(const std::vector<int>& a, const std::vector<int>& b) {
@@ -31,7 +33,22 @@ std::vector<int> stops_of(const BranchPlace& place) {
   return stops;
 }
 
+BranchTip jump(OrbitBranchPoint at, SpecialKind kind, const SolutionPoint& last) {
+  BranchPlace place;
+  place.end = OrbitBranchEnd::kSliding;
+  place.at = std::move(at);
+  place.special = SpecialPoint{kind, "", place.at, {}, false, last};
+  return {OrbitBranchEnd::kSliding, std::move(place)};
+}
+
 }  // namespace
+
+bool ContactBoundaries::lie_across(const SolutionPoint& a, const SolutionPoint& b) const {
+  const System* system = equations_.system_at(a.parameters());
+  if (!system || system->frictions.empty()) return false;
+  const std::optional<OrbitBranchPoint> of_a = equations_.judge(a), of_b = equations_.judge(b);
+  return of_a && of_b && !has_same_sliding(of_a->orbit, of_b->orbit);
+}
 
 bool ContactBoundaries::resolves(const SolutionPoint& from, const SolutionPoint& to) {
   const std::optional<int> stop =
@@ -181,13 +198,26 @@ std::optional<BranchTip> ContactBoundaries::close(Branch& trace, std::size_t sid
     }
     return BranchTip{OrbitBranchEnd::kGrazing, boundary(*corner, std::move(orbit), !speed)};
   }
-  std::optional<OrbitBranchPoint> tip = equations_.judge(last);
+  return jump_beyond(last, side);
+}
+
+// Beyond the last solution friction slides or sticks in another order, and no branch goes on there.
+std::optional<BranchTip> ContactBoundaries::jump_beyond(const SolutionPoint& last,
+                                                        std::size_t side) const {
+  const std::optional<OrbitBranchPoint> tip = equations_.judge(last);
+  const double size = 1.0 + last.u.norm(), range = std::abs(options_.to - options_.from);
+  for (double step = kLeastBeyond; tip && step <= kMostBeyond; step *= 10.0) {
+    const double ahead = (side == 0 ? -step : step) * size;
+    SolutionPoint there = last;
+    there.u += ahead * last.tangent.head(last.u.size());
+    there.parameter += ahead * range * last.tangent[last.u.size()];
+    if (!lie_across(last, there)) continue;
+    const Orbit beyond = equations_.judge(there)->orbit;
+    const bool gains = beyond.rubbing.size() > tip->orbit.rubbing.size();
+    return jump(*tip, kind_of_change(gains ? beyond : tip->orbit), last);
+  }
   if (!tip || !ends_as_a_tangent(tip->orbit)) return {};
-  BranchPlace place;
-  place.end = OrbitBranchEnd::kSliding;
-  place.at = std::move(*tip);
-  place.special = SpecialPoint{SpecialKind::kGrazingSliding, "", place.at, {}, false, last};
-  return BranchTip{OrbitBranchEnd::kSliding, std::move(place)};
+  return jump(*tip, SpecialKind::kGrazingSliding, last);
 }
 
 // Approaches by secants of the margin, from one side; nullopt when they do not come near zero.

@@ -12,10 +12,12 @@ namespace {
 // Largest number of moves: over a branch contacts go round the section once or twice.
 constexpr int kMostMoves = 200;
 
-// How far beyond a corner a solution is looked for, in lengths of the range, and how far it may lie
-// from the last one: a jump of the motion is no corner.
+// How far beyond a corner a solution is looked for, and how far it may lie from the last one, in
+// parts of the size of the unknowns: a jump of the motion is no corner.
 constexpr double kLeastBeyond = 1e-10, kMostBeyond = 1e-6;
 constexpr double kSameCorner = 1e-3;
+
+double range_of(const ContinuationOptions& options) { return std::abs(options.to - options.from); }
 
 class PieceTracer {
  public:
@@ -77,6 +79,7 @@ class PieceTracer {
       const std::optional<SolutionPoint> passed =
           of_start->carried_to(*next->problem, options_, start);
       if (passed && lies_on((*next)->problem(), options_, branch, *passed)) {
+        if (!goes_round(branch, *passed, side == 0 ? -1.0 : 1.0)) return;
         branch.ends[1] = BranchEnd::kClosed;
         pieces_.front().branch.ends[0] = pieces_.back().branch.ends[1] = BranchEnd::kClosed;
       }
@@ -87,27 +90,59 @@ class PieceTracer {
     }
   }
 
-  // The solution a little further on in the parameter, where a trace did not get round a corner.
+  // Whether a piece passes the start on the way that it was left. Where solutions grow without
+  // bound rounding may turn a trace back, and it comes the other way.
+  static bool goes_round(const Branch& piece, const SolutionPoint& start, double way) {
+    const auto distance = [&](const SolutionPoint& p) {
+      return (p.u - start.u).norm() + std::abs(p.parameter - start.parameter);
+    };
+    const auto nearest = std::min_element(
+        piece.points.begin(), piece.points.end(),
+        [&](const SolutionPoint& a, const SolutionPoint& b) { return distance(a) < distance(b); });
+    return way * nearest->rate() * start.rate() >= 0.0;
+  }
+
+  // The solution a little further on, where a trace did not get round a corner: along the tangent
+  // of what follows there, to the side where it does.
   std::optional<SolutionPoint> beyond_corner(const BranchPiece& piece, std::size_t side) const {
     const std::vector<SolutionPoint>& points = piece.branch.points;
     if (piece.branch.ends[side] != BranchEnd::kNotConverged || points.size() < 2) return {};
-    const SolutionPoint& end = side == 0 ? points[0] : points.back();
-    const SolutionPoint& before = side == 0 ? points[1] : points[points.size() - 2];
-    if (!piece.orbits->boundaries->has_corners(end)) return {};
-    const double ahead = end.parameter > before.parameter ? 1.0 : -1.0;
-    const double range = std::abs(options_.to - options_.from);
-    for (double step = kLeastBeyond; step <= kMostBeyond; step *= 10.0) {
-      const double value = end.parameter + ahead * step * range;
-      if (value < std::min(options_.from, options_.to) ||
-          value > std::max(options_.from, options_.to))
-        return {};
-      std::optional<SolutionPoint> there =
-          solve_at((*piece.orbits)->problem(), options_, end.u, value);
-      if (!there || !((there->u - end.u).norm() <= kSameCorner * (1.0 + end.u.norm()))) continue;
-      if (there->rate() * ahead < 0.0) there->turn_round();
+    SolutionPoint end = side == 0 ? points[0] : points.back();
+    if (side == 0) end.turn_round();
+    const double size = 1.0 + end.u.norm(), range = range_of(options_);
+    const auto moved = [&](const Vector& along, double step) {
+      SolutionPoint there = end;
+      there.u += step * size * along.head(end.u.size());
+      there.parameter += step * size * range * along[end.u.size()];
       return there;
+    };
+    for (double step = kLeastBeyond; step <= kMostBeyond; step *= 10.0) {
+      const SolutionPoint ahead = moved(end.tangent, step);
+      if (!piece.orbits->boundaries->lie_across(end, ahead)) continue;
+      const std::optional<Vector> tangent = tangent_at((*piece.orbits)->problem(), ahead);
+      if (!tangent) continue;
+      for (const double way : {1.0, -1.0}) {
+        const Vector along = way * *tangent;
+        const SolutionPoint guess = moved(along, step);
+        std::optional<SolutionPoint> there =
+            solve_near((*piece.orbits)->problem(), options_, guess.u, guess.parameter, along);
+        if (!there || !((there->u - end.u).norm() <= kSameCorner * size) ||
+            !piece.orbits->boundaries->lie_across(end, *there))
+          continue;
+        if (there->tangent.dot(along) < 0.0) there->turn_round();
+        return there;
+      }
     }
     return {};
+  }
+
+  // Of the solutions of the equations that hold at a point, which is none itself.
+  std::optional<Vector> tangent_at(const ZeroProblem& problem, const SolutionPoint& point) const {
+    const std::optional<ZeroEvaluation> at = problem.evaluate(point.u, point.parameters());
+    if (!at || !at->jacobian.allFinite() || !at->by_parameters.allFinite()) return {};
+    Matrix slope(point.u.size(), point.u.size() + 1);
+    slope << at->jacobian, at->by_parameters * range_of(options_);
+    return null_vector(slope);
   }
 
   // The equations for continuing beyond this end of a piece; null where the branch ends there.

@@ -47,8 +47,11 @@ class BranchBoundaries {
   virtual bool goes_on(const SolutionPoint& previous, const SolutionPoint& here) = 0;
   virtual bool resolves(const SolutionPoint& /*from*/, const SolutionPoint& /*to*/) { return true; }
 
-  // Whether branches have corners, across which they go on with an unrelated tangent.
-  virtual bool has_corners(const SolutionPoint& /*at*/) const { return false; }
+  // Whether two neighbours lie on two sides of a corner, across which a branch goes on with an
+  // unrelated tangent.
+  virtual bool lie_across(const SolutionPoint& /*a*/, const SolutionPoint& /*b*/) const {
+    return false;
+  }
 
   // Adds the places strictly between two neighbours, in order.
   virtual void pass(const JudgedPoint& a, const JudgedPoint& b,

@@ -23,12 +23,10 @@ class ContactBoundaries : public BranchBoundaries {
   bool goes_on(const SolutionPoint& /*previous*/, const SolutionPoint& here) override {
     return lists(here);
   }
+  // Whether friction slides and sticks in another order.
+  bool lie_across(const SolutionPoint& a, const SolutionPoint& b) const override;
   // Whether, if a contact is born or lost within the step, its grazing lies there too, and the
   // branch has not turned too far up to it.
-  bool has_corners(const SolutionPoint& at) const override {
-    const System* system = equations_.system_at(at.parameters());
-    return system && !system->frictions.empty();
-  }
   bool resolves(const SolutionPoint& from, const SolutionPoint& to) override;
   void pass(const JudgedPoint& a, const JudgedPoint& b, std::vector<BranchPlace>& places) override;
   std::optional<BranchTip> close(Branch& trace, std::size_t side) override;
@@ -48,6 +46,7 @@ class ContactBoundaries : public BranchBoundaries {
   std::optional<SolutionPoint> halved(
       SolutionPoint low, SolutionPoint high,
       const std::function<double(const SolutionPoint&)>& test) const;
+  std::optional<BranchTip> jump_beyond(const SolutionPoint& last, std::size_t side) const;
   // Where friction slides and sticks in another order.
   void pass_sliding(const JudgedPoint& a, const JudgedPoint& b,
                     std::vector<BranchPlace>& places) const;
