@@ -58,6 +58,7 @@ TEST(EventsCsv, EveryKindFillsItsOwnColumns) {
   EXPECT_EQ(row(EventKind::kRelease), "release,1.5,3,,,,,,,,,,,\n");
   EXPECT_EQ(row(EventKind::kContact), "contact,1.5,3,0.25,0.75,,,,,,,,,\n");
   EXPECT_EQ(row(EventKind::kSeparation), "separation,1.5,3,0.25,,-0.5,,,,0.0625,8.5,0.875,,\n");
+  event.stop = -1;
   event.friction = 1;
   event.direction = -1;
   EXPECT_EQ(row(EventKind::kSlip), "slip,1.5,,,,,,,,,,,2,-1\n");
