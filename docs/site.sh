@@ -6,7 +6,7 @@
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
-packages=(mkdocs mkdocs-material python3-nbconvert)
+packages=(mkdocs mkdocs-material python3-nbconvert libjs-katex)
 if ! dpkg -s "${packages[@]}" > /dev/null 2>&1; then
   sudo=$([ "$(id -u)" -eq 0 ] || echo "sudo -n")
   $sudo apt-get install -y --no-install-recommends "${packages[@]}" > /dev/null ||

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds Graze, runs all tests. From the project's root or anywhere else:
 #   bash tests/run.sh            optimised build, all tests; leaves what they measured as build/hard_cases.md
-#                                and build/cost.md, which `bash tests/update_pages.sh` copies into docs;
+#                                and build/cost.md, which `bash tests/update_pages.sh` puts into docs, and all
+#                                of the hard cases as build/hard_cases.csv;
 #                                then the program for a minute against scenes, options and journals
 #                                that are nearly right (tests/fuzz)
 #   bash tests/run.sh --dev      the same with address and undefined-behaviour sanitizers
@@ -27,6 +28,6 @@ build=$root/build
 rm -rf "$build/fuzz"
 "$build/tests/fuzz_program" "$build/graze" "$root/data" "$build/fuzz" 1 60
 if [ "$preset" = release ]; then
-  bash tests/hard/table.sh "$GRAZE_HARD_CASES" build/hard_cases.md
+  bash tests/hard/table.sh "$GRAZE_HARD_CASES" build/hard_cases.md build/hard_cases.csv
   bash tests/cost/table.sh "$GRAZE_COSTS" build/cost.md
 fi

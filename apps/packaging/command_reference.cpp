@@ -67,7 +67,7 @@ std::string command_reference(const std::vector<CommandDescription>& commands) {
       "in\n"
       "the same words stand once, at [the end](#options-that-commands-share). What scenes hold, "
       "and what\n"
-      "commands print and write, is in [scenes.md](scenes.md).\n";
+      "commands print and write, is in [scenes.md](scenes.md) and [results.md](results.md).\n";
   for (const CommandDescription& command : commands) text += section(command, rows);
   text += "\n## Options that commands share\n\n| option | meaning | of |\n|---|---|---|\n";
   for (const std::string& shared : order)

@@ -102,6 +102,7 @@ def main(root, folder):
         write(folder, name, text)
     notebooks(root, folder)
     headers(root, folder)
+    shutil.copytree("/usr/share/javascript/katex", folder / "katex", ignore=shutil.ignore_patterns("*.mjs", "katex.js", "katex.css"))
     for name in ("site.css", "site.js"):
         shutil.copy(root / "docs/site" / name, folder)
 

@@ -5,3 +5,7 @@ document.addEventListener('click', ({ target }) => {
 document.addEventListener('keydown', ({ key }) => {
   if (key === 'Escape') document.querySelectorAll('img.large').forEach((image) => image.classList.remove('large'));
 });
+// Formulas, as the Markdown extension has marked them.
+document.querySelectorAll('.arithmatex').forEach((formula) => window.renderMathInElement(formula, {
+  delimiters: [{ left: '\\(', right: '\\)', display: false }, { left: '\\[', right: '\\]', display: true }],
+}));

@@ -368,7 +368,7 @@ TEST(Architecture, NothingRefersIntoAVariantThatACallReturns) {
         EXPECT_FALSE(std::regex_search(line, reference)) << name_of(file) << ": " << line;
 }
 
-// Eigenvalues of a formed product lose all that is smaller than its rounding (decision 0008), and
+// Eigenvalues of a formed product lose all that is smaller than its rounding (decision 0048), and
 // a product is not seen by its type. So rooms beside base take those of factors, but for files
 // whose matrix comes as one: a generator, or what a motion followed once round gives.
 TEST(Architecture, OutsideBaseEigenvaluesAreTakenOfFactors) {

@@ -178,7 +178,7 @@ BENCHMARK_CAPTURE(SimulateHub, lee_wang_2, "18_yigit_lee_wang_2.toml")
 BENCHMARK_CAPTURE(SimulateHub, momentum, "19_yigit_momentum.toml")->Unit(benchmark::kMillisecond);
 
 // The same for 1000 forcing periods without (0) and with (1) one effect; instructions of such pairs
-// are counted in docs/cost.md.
+// are counted in docs/accuracy.md.
 void SimulateEffect(benchmark::State& state, const std::vector<std::string>& settings,
                     double samples, bool energy) {
   std::vector<std::string> all = {"stop.gap=5e-3"};

@@ -1,5 +1,5 @@
-// What was counted, for docs/cost.md: one line each in the file that GRAZE_COSTS names, as kind,
-// effect, without, with; tabs between.
+// What was counted, for docs/accuracy.md: one line each in the file that GRAZE_COSTS names, as
+// kind, effect, without, with; tabs between.
 #pragma once
 
 #include <cstdlib>

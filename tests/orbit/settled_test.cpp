@@ -227,7 +227,7 @@ TEST(Settled, ABeatThatReachesTheStopIsNotClear) {
 }
 
 // x'' + x = cos(W t), x <= s: sticks once a period and is released where cos(W t) = s. W = .3, s =
-// .1, r = .8, first impact after the release at v = .548917278001831 (docs/hard_cases.md, Z2).
+// .1, r = .8, first impact after the release at v = .548917278001831 (tests/hard, Z2).
 TEST(Settled, FollowsChatterAndSticking) {
   const System system = support::forced_oscillator(1.0, 0.0, 0.1, 0.8, 0.3, 1.0);
   SettleOptions options = as_near_as(1e-8, 200);

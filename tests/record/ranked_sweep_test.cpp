@@ -15,7 +15,7 @@ namespace graze {
 namespace {
 
 // Upwards two attractors coexist, so that blocks are run again from what the one before hands on
-// (docs/decisions/0011).
+// (docs/decisions/0049).
 SystemFamily bistable_family() {
   return SystemFamily(read_scene(GRAZE_SOURCE_DIR "/data/scenes/04_impact_oscillator.toml",
                                  {"forcing.frequency=1.6", "stop.gap=0.5", "initial.q=[0.0]"}),

@@ -1,4 +1,4 @@
-// The reference of results in docs/scenes.md tells what is described, and nothing else.
+// The reference of results in docs/results.md tells what is described, and nothing else.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -221,7 +221,7 @@ std::vector<std::string> described_lines() {
 
 std::vector<std::string> lines_of_page() {
   std::vector<std::string> lines;
-  std::ifstream page(std::string(GRAZE_SOURCE_DIR) + "/docs/scenes.md");
+  std::ifstream page(std::string(GRAZE_SOURCE_DIR) + "/docs/results.md");
   std::string line;
   while (std::getline(page, line) && line != "## JSON") continue;
   while (std::getline(page, line) && line != "### Other files")

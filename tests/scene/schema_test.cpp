@@ -15,12 +15,14 @@
 namespace graze {
 namespace {
 
-using Rows = std::map<std::string, std::string>;  // by table, one row a line
+using Table = std::map<std::string, std::string>;  // rows by key
+using Rows = std::map<std::string, Table>;         // by table
 
 // The rows below each heading that begins with tables' names, "**`[beam.mass]`**, `[bar.mass]`:
-// ..", which have the same keys; above the first stand the keys outside tables.
+// ..", which have the same keys; above the first stand the keys outside tables. A row below the
+// heading of one table alone holds in place of one that it shares with others.
 Rows rows_of_page() {
-  Rows rows;
+  Rows rows, shared;
   std::ifstream page(std::string(GRAZE_SOURCE_DIR) + "/docs/scenes.md");
   std::vector<std::string> tables{""};
   for (std::string line; std::getline(page, line) && line != "## Parameters and --set";) {
@@ -32,9 +34,14 @@ Rows rows_of_page() {
         tables.push_back((*at)[1]);
     }
     // The table of models has the name of a value, in quotes, where others have that of a key.
-    if (line.starts_with("| `") && !line.starts_with("| `\""))
-      for (const std::string& table : tables) rows[table] += line + "\n";
+    if (!line.starts_with("| `") || line.starts_with("| `\"")) continue;
+    const std::string key = line.substr(3, line.find('`', 3) - 3);
+    for (const std::string& table : tables) {
+      const bool is_new = (tables.size() == 1 ? rows : shared)[table].emplace(key, line).second;
+      EXPECT_TRUE(is_new) << "docs/scenes.md has " << key << " of [" << table << "] twice";
+    }
   }
+  for (auto& [table, keys] : shared) rows[table].merge(keys);
   return rows;
 }
 
@@ -42,7 +49,13 @@ std::string row_text(const std::string& name, const KeyRow& row) {
   std::string text = "|";
   for (const std::string& cell : {"`" + name + "`", row.unit, row.fallback, row.range, row.meaning})
     text += (cell.empty() ? " " : " " + cell + " ") + "|";
-  return text + "\n";
+  return text;
+}
+
+std::string text_of(const Table& table) {
+  std::string text;
+  for (const auto& [key, row] : table) text += row + "\n";
+  return text;
 }
 
 // Tables that are written in line stand with the table that they are in: `friction.coulomb`.
@@ -55,7 +68,8 @@ Rows rows_of_schema(const Rows& page) {
       within = table.substr(dot + 1) + "." + within;
       table.resize(dot);
     }
-    for (const KeyRow& row : keys.rows) rows[table] += row_text(within + row.name, row);
+    for (const KeyRow& row : keys.rows)
+      rows[table].emplace(within + row.name, row_text(within + row.name, row));
   }
   return rows;
 }
@@ -64,9 +78,9 @@ TEST(Schema, IsTheReference) {
   const Rows page = rows_of_page();
   const Rows schema = rows_of_schema(page);
   for (const auto& [table, rows] : schema)
-    EXPECT_EQ(page.contains(table) ? page.at(table) : "", rows)
+    EXPECT_EQ(page.contains(table) ? text_of(page.at(table)) : "", text_of(rows))
         << "docs/scenes.md must have these rows for [" << table << "]:\n"
-        << rows;
+        << text_of(rows);
   for (const auto& [table, rows] : page)
     EXPECT_TRUE(schema.contains(table)) << "there is no table [" << table << "]";
 }

@@ -122,7 +122,7 @@ TEST(StableRegions, OfTheOneModeBeamKeepToItsFormulas) {
   EXPECT_EQ(places, 256u);
 }
 
-// docs/atlas.md: the orbit's largest multiplier at 60 rad/s is -4.7 at 1.1 mm.
+// docs/period_one.md: the orbit's largest multiplier at 60 rad/s is -4.7 at 1.1 mm.
 TEST(StableRegions, HoldTheMotionsOfTheAtlas) {
   const Scene scene = one_mode();
   EXPECT_EQ(label_of(place_at(scene, 50.0, 1.5e-3).stable), "(1,1) + no impact");

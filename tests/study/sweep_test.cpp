@@ -96,7 +96,7 @@ TEST(Sweep, LiesOnTheStableBranchesOverOtherParameters) {
 
 // Wherever the closed form has a stable admissible orbit and no rival is in sight, it is found.
 // F_g = .5 sqrt((1 - W^2)^2 + (.1 W)^2) = .784091831356506353; fold at F/F_g = .352831175746127748
-// (50 digits, docs/hard_cases.md, G2).
+// (50 digits, tests/hard, G2).
 TEST(Sweep, KeepsToItsAttractorInEitherDirection) {
   const double grazing = 0.784091831356506353, fold = 0.352831175746127748 * grazing;
   const SystemFamily family = bistable_family();

@@ -1,4 +1,4 @@
-// What the catalogue of hard cases demands and what was reached, for docs/hard_cases.md.
+// What the catalogue of hard cases demands and what was reached, for docs/accuracy.md.
 #pragma once
 
 #include <gtest/gtest.h>

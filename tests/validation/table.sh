@@ -13,30 +13,17 @@ trap 'rm -f "$temporary" "$table"' EXIT
   cat <<'HEADER'
 # Graze against published numbers
 
-Nobody who writes a simulator should choose what it is checked against. The cases on this page were published by others:
-reference files and manuals of other programs, tables of papers, closed forms. Some sources print numbers; others give a
-formula, or the system alone, and then the number is computed apart, in a script of `tests/reference/validation` that does
-not use Graze. The last cases, of hard motions, are not published at all and say so.
+These cases were published by others: reference files and manuals of other programs, tables of papers, closed forms. Where a source gives a formula or the system alone, the number is computed apart, in a script of `tests/reference/validation` that does not use Graze. A few hard motions, with parameters drawn at random, are not published and say so.
 
-The scenes are in `data/validation`, the numbers with their sources in `data/validation/published.toml`.
-`bash tests/validation.sh` runs every case, compares and writes this page anew; the same comparison is part of
-`bash tests/run.sh`. [validation.csv](validation.csv) has every number with the command that finds it, and says who errs.
+Scenes are in `data/validation`, numbers and sources in `data/validation/published.toml`. `bash tests/validation.sh` runs every case and writes this page; `bash tests/run.sh` compares too. [validation.csv](validation.csv) has every number with its command, its full source, and a remark that says who errs.
 
-How close is close enough:
-
-- A printed number counts as exact to one unit of its last digit, and one with all the digits of a double to 1e-13 of
-  its size.
-- Where a printed number is less exact than that, the number computed apart stands beside it. Graze then has to agree
-  with that to 1e-10, relative, and the remark says who errs.
-- Where a source prints no number, Graze has to agree with the number computed apart to the same 1e-10.
+- A printed number counts as exact to one unit of its last digit, one with all the digits of a double to 1e-13 of its size.
+- Where it is less exact, or none is printed, Graze has to agree with the number computed apart to 1e-10, relative.
 - Where a tolerance is another, the remark says why.
 
-Two papers that such a page is expected to have print no number of a motion that could stand here: A. B. Nordmark, J. Sound
-Vib. 145 (1991) 279, and W. Chin, E. Ott, H. E. Nusse and C. Grebogi, Phys. Rev. E 50 (1994) 4427. They derive what becomes of
-a motion beside a grazing; the hard cases G of `tests/hard` follow orbits into theirs, against closed forms.
+A. B. Nordmark, J. Sound Vib. 145 (1991) 279, and W. Chin, E. Ott, H. E. Nusse and C. Grebogi, Phys. Rev. E 50 (1994) 4427, print no number of a motion beside a grazing that could stand here; [hard cases](accuracy.md#hard-cases-demanded-and-reached) G follow orbits into theirs.
 
-Deviations are |Graze - published|/|published|, of a published 0 |Graze|. Where printed numbers deviate by more than their
-last digit, the number computed apart says how far Graze is off, and the remark in validation.csv says why.
+Columns: how many numbers the source prints and how many are computed apart, with the largest deviation of Graze from either, relative (of a 0 absolute); and the largest share used of what is allowed, in per cent. Where a printed number is off by more than its last digit, the number computed apart shows how far Graze is off, and the remark says who errs.
 
 HEADER
   LC_ALL=C sort -u "$notes" | awk -F'\t' -v table="$table" '
@@ -52,14 +39,13 @@ HEADER
       if (!(name in of)) {
         of[name] = ++rows
         what[rows] = title; sub(/(: .*|, at .*| at [0-9.]+ s|, [0-9]+ ms after)$/, "", what[rows])
-        by = source; sub(/ \(commit.*/, "", by); from[rows] = link == "" ? by : "[" by "](" link ")"; file[rows] = scene
+        by = source; sub(/( \(commit|: |; ).*/, "", by); from[rows] = link == "" ? by : "[" by "](" link ")"; file[rows] = scene
       }
       row = of[name]; ++cases[row]
     }
     # what, published, Graze, Graze - published, published, off what it is held to, allowed, independent, script,
     # because, "printed"
     substr($1, 4, 1) == "b" {
-      ++count[row]
       off = part($5, $6); held = part($7, $9 == "" ? $6 : $9); share = $8 > 0 ? $7/$8 : 0
       if ($12 != "") { ++printed[row]; if (off > worst[row]) worst[row] = off }
       if ($9 != "") { ++apart[row]; if (held > beside[row]) beside[row] = held }
@@ -68,10 +54,10 @@ HEADER
         cell($3), $4, $12 == "" ? "" : sprintf("%.1e", off), $9, $10, $9 == "" ? "" : sprintf("%.1e", held), share, cell($11) > table
     }
     END {
-      print "| what | source | numbers | printed by the source, largest deviation | computed apart, largest deviation | share of what is allowed |"
-      print "|---|---|---|---|---|---|"
+      print "| what | source | printed | apart | % of allowed |"
+      print "|---|---|---|---|---|"
       for (i = 1; i <= rows; ++i)
-        printf "| [%s](../data/validation/%s) | %s | %d | %s | %s | %.0f %% |\n", what[i], file[i], from[i], count[i],
+        printf "| [%s](../data/validation/%s) | %s | %s | %s | %.0f |\n", what[i], file[i], from[i],
           printed[i] ? sprintf("%d, %.0e", printed[i], worst[i]) : "-", apart[i] ? sprintf("%d, %.0e", apart[i], beside[i]) : "-", 100*most[i]
     }'
 } > "$temporary"

@@ -1,6 +1,7 @@
 // All that a motion needs to go on from an instant: its state and the contact at every stop.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "graze/base/vector.hpp"
@@ -58,7 +59,8 @@ struct MotionState {
   // sum is tried again at half of it.
   Real unsummed = 0;
   Joint joint = Joint::kFree;  // of a hub with friction
-  std::vector<double> places{};  // row.q of each dry friction where it began to stick, m
+  // row.q of each dry friction where it began to stick, m; absent without.
+  std::optional<std::vector<double>> places{};
 };
 
 }  // namespace graze

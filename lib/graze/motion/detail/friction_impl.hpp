@@ -38,14 +38,14 @@ template <class Real>
 void Motion<Real>::renew_places() {
   for (const int i : frictions_)
     if (contact(i) == Contact::kClosed && stop(i).belt != 0)
-      now_.places[place(i)] = static_cast<double>(stop(i).row.dot(now_.q));
+      (*now_.places)[place(i)] = static_cast<double>(stop(i).row.dot(now_.q));
 }
 
 // Friction at a spring begins and ends with its contact.
 template <class Real>
 void Motion<Real>::press_frictions(int at, Contact before) {
   const bool presses = contact(at) == Contact::kCompressed;
-  if (presses == (before == Contact::kCompressed)) return;
+  if (system_.is_friction(at) || presses == (before == Contact::kCompressed)) return;
   for (const int i : frictions_) {
     if (system_.friction(i).stop != at) continue;
     const Real speed = approach_speed(i);
@@ -208,7 +208,7 @@ void Motion<Real>::stick(int i, const std::vector<int>& beside) {
     set(i, Contact::kLocked);
   } else {
     set(i, Contact::kClosed);
-    now_.places[place(i)] = static_cast<double>(stop(i).row.dot(now_.q));
+    (*now_.places)[place(i)] = static_cast<double>(stop(i).row.dot(now_.q));
     changes_.push_back({ArrivalKind::kStick, i});
   }
   note_rubbing();
@@ -280,17 +280,20 @@ std::optional<typename Motion<Real>::PushShares> Motion<Real>::solve_pushes(
     if (a >= n) limit[a - n] = rubbing_force(i, true) * stop(i).row.squaredNorm();
   }
   const Matrix_ acting = pressing(list);
-  const std::optional<RealVector<Real>> forces =
+  std::optional<RealVector<Real>> forces =
       solve_with_friction<Real>(acting, push, shares.rounding, limit);
   if (!forces) return {};
-  shares.forces = *forces;
-  shares.into = push - acting * *forces;
+  shares.forces = std::move(*forces);
+  shares.into = std::move(push);
+  shares.into.noalias() -= acting * shares.forces;
   shares.own = acting.diagonal();
+  shares.acting = shares.rounding + rounding_of_action<Real>(acting, shares.forces);
+  if (all == n) return shares;
   // Forces of friction are found as what they are above the least possible.
-  RealVector<Real> known = forces->cwiseAbs();
-  known.tail(all - n) += limit;
-  shares.acting = shares.rounding + rounding_of_action<Real>(acting, known);
-  shares.left = limit - forces->tail(all - n).cwiseAbs();
+  RealVector<Real> above = RealVector<Real>::Zero(all);
+  above.tail(all - n) = limit;
+  shares.acting += rounding_of_action<Real>(acting, above);
+  shares.left = limit - shares.forces.tail(all - n).cwiseAbs();
   return shares;
 }
 
@@ -300,7 +303,7 @@ std::optional<typename Motion<Real>::PushShares> Motion<Real>::share_among(
   using std::abs;
   const auto n = static_cast<Eigen::Index>(stops.size());
   for (;;) {
-    const auto shares = solve_pushes(stops, standing);
+    auto shares = solve_pushes(stops, standing);
     if (!shares) return {};
     bool changed = false;
     std::vector<int> rest;

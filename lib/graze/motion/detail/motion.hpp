@@ -193,7 +193,7 @@ class Motion {
   std::vector<int> closed() const;  // stops
   std::vector<int> held() const;    // and frictions that stick
   bool holds_anywhere() const;
-  ContactPhase<Real>& phase_of(const std::vector<int>& closed);
+  ContactPhase<Real>& phase_of(std::vector<int> closed);
   void forget_phase();
   PhaseSprings springs() const;
   Real depth(int stop) const;

@@ -48,7 +48,7 @@ Motion<Real>::Motion(const System& system, const Instant<Real>& instant, const R
   adopt_system();
   now_ = {instant, q, qdot, std::vector<Contact>(stops_.size(), Contact::kClear),
           std::vector<int>(stops_.size(), 0)};
-  now_.places.assign(frictions_.size(), 0.0);
+  if (!frictions_.empty()) now_.places.emplace(frictions_.size(), 0.0);
   turn_directions();
   for (const int i : order_)
     if (touches(i)) set(i, Contact::kTouching);
@@ -117,13 +117,15 @@ void Motion<Real>::leave_out(std::optional<int> stop) {
 }
 
 template <class Real>
-void Motion<Real>::set(int i, Contact contact, int multiplicity) {
+inline void Motion<Real>::set(int i, Contact contact, int multiplicity) {
   const Contact before = this->contact(i);
-  if (on_belts_ && before != contact) renew_places();
+  if (on_belts_ && before != contact) [[unlikely]]
+    renew_places();
   now_.contacts[static_cast<std::size_t>(i)] = contact;
   now_.multiplicities[static_cast<std::size_t>(i)] = multiplicity;
   if (contact == Contact::kTouching) undecided_ = true;
-  if (!frictions_.empty() && !system_.is_friction(i)) press_frictions(i, before);
+  if (!frictions_.empty()) [[unlikely]]
+    press_frictions(i, before);
 }
 
 template <class Real>
@@ -155,16 +157,16 @@ bool Motion<Real>::holds_anywhere() const {
 }
 
 template <class Real>
-ContactPhase<Real>& Motion<Real>::phase_of(const std::vector<int>& closed) {
-  PhaseKey key{closed, springs(), now_.joint, untold()};
+ContactPhase<Real>& Motion<Real>::phase_of(std::vector<int> closed) {
+  PhaseKey key{std::move(closed), springs(), now_.joint, untold()};
   for (const int i : frictions_) {
     key.frictions.push_back(pushes(i, true)                 ? Contact::kForward
                             : pushes(i, false)              ? Contact::kBackward
                             : contact(i) == Contact::kClear ? Contact::kClear
                                                             : Contact::kClosed);
   }
-  for (const int i : closed)
-    if (system_.is_friction(i)) key.places.push_back(now_.places[place(i)]);
+  for (const int i : key.closed)
+    if (system_.is_friction(i)) key.places.push_back((*now_.places)[place(i)]);
   KeptPhase& kept = phases_[key];
   kept.asked = ++asked_;
   if (kept.phase) return *kept.phase;

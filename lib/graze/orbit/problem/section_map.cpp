@@ -60,7 +60,8 @@ double seconds_between(const System& system, const Instant<double>& from,
 
 std::vector<int> closed_stops(const MotionState<double>& at) {
   std::vector<int> closed;
-  for (std::size_t i = 0; i + at.places.size() < at.contacts.size(); ++i)
+  const std::size_t stops = at.contacts.size() - (at.places ? at.places->size() : 0);
+  for (std::size_t i = 0; i < stops; ++i)
     if (at.contacts[i] == Contact::kClosed) closed.push_back(static_cast<int>(i));
   return closed;
 }

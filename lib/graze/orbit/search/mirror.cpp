@@ -60,7 +60,8 @@ std::optional<Orbit> mirrored_orbit(const System& system, const Orbit& orbit,
     if (at.contacts[i] == Contact::kForward) image.contacts[i] = Contact::kBackward;
     if (at.contacts[i] == Contact::kBackward) image.contacts[i] = Contact::kForward;
   }
-  for (double& place : image.places) place = -place;
+  if (image.places)
+    for (double& place : *image.places) place = -place;
   for (std::size_t i = 0; i < opposite.size(); ++i) {
     const auto other = static_cast<std::size_t>(opposite[i]);
     image.contacts[other] = at.contacts[i];

@@ -1,6 +1,6 @@
 // The contents of results, described once: describe() passes every number of a result with its
 // name, its unit and its meaning to a visitor. Documents, tables, arrays and the reference in
-// docs/scenes.md come from visitors that do not depend on any result.
+// docs/results.md come from visitors that do not depend on any result.
 #pragma once
 
 #include <complex>
