@@ -30,12 +30,12 @@ cp build/shell/commands.md docs/
 GRAZE_RESULTS=build/results.md build/tests/test_report --gtest_filter=ResultsReference.* > /dev/null || true
 awk -v reference=build/results.md '
   BEGIN {
-    while ((getline line < reference) > 0) rows[line ~ /\.csv` \|/] = rows[line ~ /\.csv` \|/] line "\n"
+    while ((getline line < reference) > 0) rows[line ~ /\.csv`\|/] = rows[line ~ /\.csv`\|/] line "\n"
   }
   skipped && $0 != "" { next }
   { skipped = 0; print }
-  /^\| command \| key \| meaning \|/ || /^\| file \| a row for each of \|/ {
-    tables = /^\| file/
+  /^\|command\|key\|meaning\|/ || /^\|file\|a row for each of\|/ {
+    tables = /^\|file/
     getline; print; printf "%s", rows[tables]; skipped = 1
   }' docs/results.md > build/new_results.md
 mv build/new_results.md docs/results.md

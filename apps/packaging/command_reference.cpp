@@ -25,7 +25,7 @@ std::string as_given(const OptionDescription& option) {
 using Rows = std::map<std::string, std::vector<std::string>>;
 
 std::string row(const OptionDescription& option) {
-  return fmt::format("| {} | {} |", as_given(option), cell(option.help));
+  return fmt::format("|{}|{}|", as_given(option), cell(option.help));
 }
 
 std::string section(const CommandDescription& command, const Rows& rows) {
@@ -43,7 +43,7 @@ std::string section(const CommandDescription& command, const Rows& rows) {
   }
   std::string text = fmt::format("\n## {0}\n\n{1}: `graze {0}{2}{3}`.\n", command.name,
                                  command.what, files, command.options.empty() ? "" : " [OPTIONS]");
-  if (!own.empty()) text += "\n| option | meaning |\n|---|---|\n" + own;
+  if (!own.empty()) text += "\n|option|meaning|\n|---|---|\n" + own;
   if (!shared.empty())
     text += fmt::format("\n[Shared](#options-that-commands-share) with other commands: {}.\n",
                         fmt::join(shared, ", "));
@@ -69,11 +69,11 @@ std::string command_reference(const std::vector<CommandDescription>& commands) {
       "and what\n"
       "commands print and write, is in [scenes.md](scenes.md) and [results.md](results.md).\n";
   for (const CommandDescription& command : commands) text += section(command, rows);
-  text += "\n## Options that commands share\n\n| option | meaning | of |\n|---|---|---|\n";
+  text += "\n## Options that commands share\n\n|option|meaning|of|\n|---|---|---|\n";
   for (const std::string& shared : order)
     if (const auto& users = rows[shared]; users.size() > 1)
       text += fmt::format(
-          "{} {} |\n", shared,
+          "{}{}|\n", shared,
           users.size() == commands.size() ? "all" : fmt::to_string(fmt::join(users, ", ")));
   return text;
 }

@@ -290,24 +290,22 @@ TEST(ContactLaws, ASlowBodyCreepsOutOfADampedHertzContact) {
   EXPECT_EQ(never.duration, 0.0);
 }
 
-TEST(ContactLaws, ThePageShowsTheTables) {
-  const std::string page = docs_page("contact_laws.md");
-  std::stringstream stream(printed());
-  int table = 0;
-  for (std::string line; std::getline(stream, line);) {
-    if (line.rfind("| law", 0) == 0) ++table;
-    // What a contact costs differs from machine to machine.
-    if (table < 3 && !line.empty()) {
-      EXPECT_NE(page.find(line + "\n"), std::string::npos) << line;
+TEST(ContactLaws, ThePageShowsRowsOfTheTables) {
+  std::stringstream page(docs_page("contact_laws.md"));
+  bool in_table = false;
+  int rows = 0;
+  for (std::string line; std::getline(page, line);) {
+    if (line.starts_with("| law")) in_table = true;
+    if (line.empty()) in_table = false;
+    if (!in_table) continue;
+    ++rows;
+    EXPECT_NE(printed().find(line + "\n"), std::string::npos) << line;
+  }
+  EXPECT_GE(rows, 20);
+  for (const auto& [law, cells] : tables().at(2))
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (cells[i] != "-") EXPECT_LT(std::stod(cells[i]), 10000.0) << law;
     }
-  }
-  for (const auto& [law, cells] : tables().at(2)) {
-    EXPECT_NE(page.find("| " + law + " | "), std::string::npos) << law;
-    for (std::size_t i = 0; i < 3; ++i)
-      if (cells[i] != "-") {
-        EXPECT_LT(std::stod(cells[i]), 10000.0) << law;
-      }
-  }
 }
 
 TEST(ContactLaws, ThePictureShowsWhatTheCoefficientsGive) {

@@ -126,7 +126,7 @@ class Page {
                              told.unit.empty() ? "" : " (" + told.unit + ")");
     }
     if (is_new(name + "|" + columns, name))
-      lines_.push_back(fmt::format("| `{}.csv` | {} | {} |", name,
+      lines_.push_back(fmt::format("|`{}.csv`|{}|{}|", name,
                                    rows.empty() ? "" : "`" + rows + "`", columns));
   }
   const std::vector<std::string>& lines() const { return lines_; }
@@ -143,7 +143,7 @@ class Page {
     std::string text = row.what;
     if (!row.some.empty()) text += (text.empty() ? "" : "; ") + row.some;
     if (!row.entries.empty()) text += (text.empty() ? "" : ": ") + row.entries;
-    lines_.push_back(fmt::format("| {} | {} | {} |", command,
+    lines_.push_back(fmt::format("|{}|{}|{}|", command,
                                  row.path.empty() ? "" : "`" + row.path + "`", text));
   }
 
@@ -225,7 +225,7 @@ std::vector<std::string> lines_of_page() {
   std::string line;
   while (std::getline(page, line) && line != "## JSON") continue;
   while (std::getline(page, line) && line != "### Other files")
-    if (line.starts_with("| `") || line.starts_with("| all")) lines.push_back(line);
+    if (line.starts_with("|`") || line.starts_with("|all")) lines.push_back(line);
   return lines;
 }
 

@@ -34,8 +34,8 @@ Rows rows_of_page() {
         tables.push_back((*at)[1]);
     }
     // The table of models has the name of a value, in quotes, where others have that of a key.
-    if (!line.starts_with("| `") || line.starts_with("| `\"")) continue;
-    const std::string key = line.substr(3, line.find('`', 3) - 3);
+    if (!line.starts_with("|`") || line.starts_with("|`\"")) continue;
+    const std::string key = line.substr(2, line.find('`', 2) - 2);
     for (const std::string& table : tables) {
       const bool is_new = (tables.size() == 1 ? rows : shared)[table].emplace(key, line).second;
       EXPECT_TRUE(is_new) << "docs/scenes.md has " << key << " of [" << table << "] twice";
@@ -48,7 +48,7 @@ Rows rows_of_page() {
 std::string row_text(const std::string& name, const KeyRow& row) {
   std::string text = "|";
   for (const std::string& cell : {"`" + name + "`", row.unit, row.fallback, row.range, row.meaning})
-    text += (cell.empty() ? " " : " " + cell + " ") + "|";
+    text += cell + "|";
   return text;
 }
 

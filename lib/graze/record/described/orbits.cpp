@@ -104,8 +104,6 @@ void describe_orbit(ResultVisitor& v, const Orbit& orbit, std::size_t number) {
               .in("orbits"),
           orbit.impacts.size());
   v.values({"phases", "rad"}, orbit.impacts, [](const OrbitImpact& at) { return at.phase; });
-  if (const auto some = v.where(orbit.lasts.has_value(), "of a self-excited orbit"))
-    v.field(Field{"lasts", "s", "its period"}.in("orbits"), orbit.lasts);
   v.values({"speeds", "m/s"}, orbit.impacts, [](const OrbitImpact& at) { return at.speed; });
   describe_impacts(v, orbit.impacts);
   describe_multipliers(v, orbit);
@@ -120,6 +118,8 @@ void describe_orbit(ResultVisitor& v, const Orbit& orbit, std::size_t number) {
           orbit.multipliers.empty() ? NAN : std::abs(orbit.multipliers.front().value));
   v.field(Field{"residual", "1", "of its equations, scaled"}.in("orbits"), orbit.residual);
   v.field(Field{"stuck", "", "whether it sticks"}.in("orbits"), orbit.sticks());
+  if (const auto some = v.where(orbit.lasts.has_value(), "of a self-excited orbit"))
+    v.field(Field{"lasts", "s", "its period"}.in("orbits"), orbit.lasts);
   describe_sticking(v, orbit);
   if (!orbit.sticks()) describe_section(v, orbit);
   describe_rubbing(v, orbit);

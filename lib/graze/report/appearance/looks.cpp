@@ -160,11 +160,11 @@ std::vector<LookGroup> all_looks() {
 }
 
 std::string looks_table() {
-  std::string table = "| | What | Colour | Drawn as |\n|---|---|---|---|\n";
+  std::string table = "||What|Colour|Drawn as|\n|---|---|---|---|\n";
   for (const LookGroup& group : all_looks()) {
     std::string head = group.name;
     for (const Look& look : group.looks) {
-      table += fmt::format("| {} | {} | `{}` | {} |\n", head, look.title, look.colour, words(look));
+      table += fmt::format("|{}|{}|`{}`|{}|\n", head, look.title, look.colour, words(look));
       head.clear();
     }
   }
