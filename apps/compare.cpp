@@ -74,8 +74,8 @@ std::string modes_key(const Scene& scene) {
   const std::string name = scene.structure_name();
   if (name == "modal")
     throw scene_error(scene, name,
-                      "these modes are given, so that there is no other number of them to compare "
-                      "(--modes), it must be a [beam], [string], [bar] or [matrices]");
+                      "the modes of this scene are given, so that their number cannot change "
+                      "(--modes); it must be a [beam], [string], [bar] or [matrices]");
   return name + ".modes";
 }
 

@@ -19,10 +19,9 @@ void require_what_is_shown(const DiagramCommand& command, const Scene& scene) {
         "--duration: it is missing; no forcing repeats this scene's motion, so a diagram of it "
         "shows one run at each value: give its time in s");
   if (scene.stops.empty() && scene.probes.empty())
-    throw scene_error(
-        scene, "stop",
-        "there is neither a [[stop]] nor a [[probe]]; a diagram shows impacts and what "
-        "probes see");
+    throw scene_error(scene, "stop",
+                      "there is neither a [[stop]] nor a [[probe]]; a diagram shows impacts and "
+                      "the values of probes");
 }
 
 }  // namespace

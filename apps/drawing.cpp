@@ -86,10 +86,9 @@ void check_plot(const CommonOptions& command, const PictureFeatures& features) {
                     plot.title || plot.style != plain.style || plot.size || plot.font.points ||
                     plot.font.family != plain.font.family;
   if (asks && is_page_name(plot.file))
-    throw InputError(
-        plot.file +
-        ": --title, --style, --size, --font, --labels, ranges, scales and --multipliers are of "
-        "pictures; a page has tools for what it shows");
+    throw InputError(plot.file +
+                     ": --title, --style, --size, --font, --labels, ranges, scales and "
+                     "--multipliers are options of pictures; the web page has controls of its own");
 }
 
 }  // namespace graze

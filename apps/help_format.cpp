@@ -49,8 +49,8 @@ std::string help_line(const OptionDescription& option) {
 
 std::string footer(const std::string& example) {
   return "Example: graze " + example +
-         "\nExit codes: 0 done; 2 usage or scene error; 3 numerics could not do it, what was\n"
-         "reached is printed; 4 file or system error; 130 interrupted.";
+         "\nExit codes: 0 done; 2 usage or scene error; 3 the computation ended early or\n"
+         "failed, and the result so far is printed; 4 file or system error; 130 interrupted.";
 }
 
 std::string HelpFormat::make_description(const CLI::App* app) const {

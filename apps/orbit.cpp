@@ -31,7 +31,7 @@ int run(const OrbitCommand& command) {
   in_force.closure_speed = options.closure_speed;
   note_options(in_force, record.info);
   if (!start && options.from_simulation)
-    warn(command, {"no start by simulation: the scene's initial state is not clear of the stop"});
+    warn(command, {"no start by simulation: the scene's initial state lies beyond the stop"});
   prepare_output(command);
   record.found = search_orbits(record.system, start, options);
   if (options.from_simulation && start)

@@ -46,7 +46,8 @@ void describe_what_is_compared(auto& v, CompareCommand& o, const Recorded& of_mo
       "Convergence: each number of modes compared with the next",
       kOfPieces.where(o.most_modes > 0).as(fmt::format("{}:{}", o.fewest_modes, o.most_modes)));
   v.flag("sensitivity", o.sensitivity,
-         "Largest size (s1) and end value (s2) of every probe over --parameter",
+         "Sensitivity of the largest absolute value (s1) and of the final value (s2) of every "
+         "probe to --parameter",
          Excludes{{"first", "within", "second_from", "second_to", "second_points", "show", "last",
                    "periods", "samples", "resume", "restart_work", "shard"}},
          kOfPieces.where(o.sensitivity));
@@ -94,7 +95,7 @@ void describe(auto& v, CompareCommand& o) {
   describe_ranges(v, o);
   v.heading("Sensitivity");
   v.option("second_values", o.second_values, "V1,V2,..",
-           "With --sensitivity: values of the other parameter, with commas", kWithCommas,
+           "With --sensitivity: values of the other parameter, separated by commas", kWithCommas,
            Needs{{"second", "sensitivity"}}, kOfPieces);
   v.option(
       "reference", o.reference, "V",

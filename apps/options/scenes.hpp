@@ -108,8 +108,8 @@ void describe(auto& v, FitCommand& o) {
            "coefficients by default",
            kRepeated);
   v.option("column", o.columns, "NAME",
-           "Columns of a response that are fitted, several with commas (default: all)", kWithCommas,
-           kOfResult);
+           "Columns of a response that are fitted, several, separated by commas (default: all)",
+           kWithCommas, kOfResult);
   v.option("sigma", o.sigmas, "[COLUMN=]VALUE",
            "Standard uncertainty of the data in SI units, in place of a column sigma; of one "
            "column with its name (default: from the residuals)",

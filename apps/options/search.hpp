@@ -112,13 +112,13 @@ void describe_search(auto& v, OrbitSearchOptions& o, const Recorded& recorded = 
   v.heading("Search for orbits");
   describe_period(v, o, "Forcing periods p after which the orbit repeats", recorded);
   v.flag("virtual", o.keep_virtual,
-         "Keep solutions that are no orbits too: penetrating a stop, or impact speed < 0",
-         kOfResult);
-  v.option("start", o.starts, "NAME",
-           "Where the search starts, several with commas: closed-form (k = 1, 2), simulation, "
-           "random (quasi-random phases, deflation, then global minimisation) (default: all)",
-           Choices{{"closed-form", "simulation", "random"}}, kWithCommas,
-           o.starts.empty() ? recorded.as("all") : recorded);
+         "Keep inadmissible solutions too: penetrating a stop, or impact speed < 0", kOfResult);
+  v.option(
+      "start", o.starts, "NAME",
+      "Where the search starts, several, separated by commas: closed-form (k = 1, 2), simulation, "
+      "random (quasi-random phases, deflation, then global minimisation) (default: all)",
+      Choices{{"closed-form", "simulation", "random"}}, kWithCommas,
+      o.starts.empty() ? recorded.as("all") : recorded);
   v.option("random_seed", o.random_seed, "N", "Seed: another one moves the quasi-random starts",
            whole_number("a whole number, 0 or more", 0.0, kMostCounted), recorded);
 }
@@ -167,18 +167,17 @@ void describe_locus_kinds(auto& v, LocusTracingOptions& o, const char* what, con
 
 void describe_levels(auto& v, LevelOptions& o) {
   v.heading("Levels");
-  v.option(
-      "level", o.levels, "QUANTITY=VALUE",
-      "Mark where a number of the orbits takes a value (UZ), with --locus UZ along curves: "
-      "stop.1.peak-force=10, probe.1.amplitude=2e-3, speed=0.5; what --show shows, speed, phase, "
-      "contact-duration, stuck-duration, impulse, clearance, multiplier, period; several with "
-      "commas",
-      kWithCommas, kOfResult);
+  v.option("level", o.levels, "QUANTITY=VALUE",
+           "Mark where a number of the orbits takes a value (UZ), with --locus UZ along curves: "
+           "stop.1.peak-force=10, probe.1.amplitude=2e-3, speed=0.5; what --show shows, speed, "
+           "phase, contact-duration, stuck-duration, impulse, clearance, multiplier, period; "
+           "several, separated by commas",
+           kWithCommas, kOfResult);
   v.flag("level_ends", o.level_ends, "With --level: branches end there", Needs{{"level"}},
          kOfResult.where(o.level_ends));
   v.option("extreme", o.extremes, "QUANTITY",
            "Mark where a number of the orbits is largest or smallest along the branch (EX), with "
-           "--locus EX along curves; several with commas",
+           "--locus EX along curves; several, separated by commas",
            kWithCommas, kOfResult);
 }
 

@@ -82,10 +82,11 @@ void describe_scene(auto& v, SceneOptions& o) {
 
 void describe_closure_speed(auto& v, MotionOptions& o, const Recorded& recorded = kOfPieces) {
   v.heading(kNumericsGroup);
-  v.option("closure_speed", o.closure_speed, "V",
-           "Speed below which the rest of a chatter is summed, m/s (default: "
-           "sqrt(solver.tolerance/100) of the motion's speed; graze check prints it)",
-           at_least("a speed in m/s, 0 or more", 0.0), recorded);
+  v.option(
+      "closure_speed", o.closure_speed, "V",
+      "Impact speed below which the rest of a chatter is computed at once, as a geometric series, "
+      "m/s (default: sqrt(solver.tolerance/100) of the motion's speed; graze check prints it)",
+      at_least("a speed in m/s, 0 or more", 0.0), recorded);
 }
 
 void describe_max_seconds(auto& v, CommonOptions& o, const Recorded& recorded = kOfResult) {

@@ -55,8 +55,8 @@ void describe_run(auto& v, SimulateCommand& o) {
            "of every column",
            Choices{{"csv", "npz"}});
   v.flag("energy", o.energy,
-         "Keep the energy balance: the work of every effect, and what is missing in their sum "
-         "(--plot keeps it too)",
+         "Keep the energy balance: the work of every effect, and the error of their sum (--plot "
+         "keeps it too)",
          kOfResult);
   v.flag("amplitudes", o.amplitudes,
          "Measure the motion: largest, smallest and root mean square values at the probes and "
@@ -104,7 +104,8 @@ void describe(auto& v, SimulateCommand& o) {
            "(power spectral density, with --statistics); shapes (of the beam, with --shapes-at); "
            "or forces (of every stop over time)",
            Needs{{"plot"}});
-  v.option("shapes_at", o.shape_times, "T,..", "With --show shapes: times, s, several with commas",
+  v.option("shapes_at", o.shape_times, "T,..",
+           "With --show shapes: times, s, several, separated by commas",
            at_least("a time in s, 0 or more", 0.0), kWithCommas, Needs{{"show"}});
   describe_closure_speed(v, o);
   v.heading("Motion");

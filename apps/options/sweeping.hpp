@@ -105,8 +105,8 @@ void describe_plane(auto& v, MapCommand& o) {
   v.option("to", o.to, "B", "Last value", finite_number(), kMandatory, kOfPieces);
   v.option("points", o.first_points, "N", "Values from A to B, both among them",
            whole_number_within(2, 10'000), kOfPieces);
-  v.option("second", o.second, "NAME", "Path of the other one, up the plane", kMandatory,
-           kOfPieces);
+  v.option("second", o.second, "NAME", "Path of the second parameter, on the vertical axis",
+           kMandatory, kOfPieces);
   v.option("second_from", o.second_from, "C", "Its first value", finite_number(), kMandatory,
            kOfPieces);
   v.option("second_to", o.second_to, "D", "Its last value", finite_number(), kMandatory, kOfPieces);
@@ -145,8 +145,8 @@ void describe(auto& v, MapCommand& o) {
   describe_plane(v, o);
   describe_cells(v, o);
   describe_locus_kinds(v, o,
-                       "Draw the loci of special points over the map: LP, PD, NS, GR, CH, several "
-                       "with commas, or all",
+                       "Draw the loci of special points over the map: LP, PD, NS, GR, CH, several, "
+                       "separated by commas, or all",
                        Choices{{"LP", "PD", "NS", "GR", "CH", "all"}});
   describe_slices(v, o, kOfResult);
   const Recorded of_loci = kOfResult.where(!o.locus.empty());

@@ -53,11 +53,12 @@ void describe(auto& v, ContinueCommand& o) {
       "PD and NS vanish (GPD, GNS)",
       kOfResult.where(o.normal_forms));
   describe_closure_speed(v, o);
-  describe_locus_kinds(v, o,
-                       "Trace loci of special points over two parameters instead of branches: LP, "
-                       "PD, NS, GR, CH, UZ and EX (levels), several with commas, or all but those",
-                       Choices{{"LP", "PD", "NS", "GR", "CH", "UZ", "EX", "all"}},
-                       Excludes{{"amplitudes", "show", "at"}});
+  describe_locus_kinds(
+      v, o,
+      "Trace loci of special points over two parameters instead of branches: LP, PD, NS, GR, CH, "
+      "UZ and EX (levels), several, separated by commas, or all but those",
+      Choices{{"LP", "PD", "NS", "GR", "CH", "UZ", "EX", "all"}},
+      Excludes{{"amplitudes", "show", "at"}});
   v.option("second", o.second, "NAME", "With --locus: path of the second parameter, e.g. stop.gap",
            Needs{{"locus"}}, kOfResult);
   v.option("second_from", o.second_from, "C", "Start of the second parameter's range",

@@ -35,7 +35,7 @@ void describe_following(auto& v, SettlingOptions& o, const Recorded& recorded = 
   v.option("periods", o.periods, "K",
            "Forcing periods run at a value, at most (default 1000); fewer once it settled",
            whole_number("a whole number from 1", 1.0, kMostCounted), recorded);
-  v.option("samples", o.samples, "M", "Forcing periods shown where nothing repeats",
+  v.option("samples", o.samples, "M", "Forcing periods shown of a motion that does not repeat",
            whole_number_within(1, 1'000'000), recorded);
 }
 

@@ -102,7 +102,7 @@ Done.
 The command line or the scene cannot be used.
 .TP
 3
-The numerics could not do what was asked; what was reached is printed.
+The computation ended early or failed; the result so far is printed.
 .TP
 4
 A file or the system failed.

@@ -16,6 +16,16 @@ LINK = re.compile(r"(\]\()(?!\w+://|#)([^)#\s]+)(#[^)]*)?\)")
 BESIDE = {"README.md": "graze.md", "CHANGELOG.md": "CHANGELOG.md", "CONTRIBUTING.md": "CONTRIBUTING.md"}
 
 
+def titled(text, page):
+    """Links that are named by a file are named by its title."""
+
+    def name(match):
+        title = re.search(r"^# (.*)$", (page.parent / match[1]).read_text(), flags=re.M)[1]
+        return f"[{title}]({match[1]}{match[2] or ''})"
+
+    return re.sub(r"\[[\w./]+\.md\]\(([\w./]+\.md)(#[^)]*)?\)", name, text)
+
+
 def linked(text, page, root, folder):
     """The text of a page of the project with the links of the site; files that are linked are copied."""
 
@@ -95,7 +105,7 @@ def main(root, folder):
     shutil.copytree(root / "docs", folder, ignore=shutil.ignore_patterns("site*", "*.sh", "*.ipynb", "*.gp*"))
     pages = [page for page in (root / "docs").rglob("*.md")] + [root / name for name in BESIDE]
     for page in pages:
-        text = linked(page.read_text(), page, root, folder)
+        text = linked(titled(page.read_text(), page), page, root, folder)
         if page.name == "gallery.md":
             text = thumbnails(text)
         name = page.relative_to(root / "docs") if "docs" in page.relative_to(root).parts else BESIDE[page.name]

@@ -160,7 +160,7 @@ TEST(CompareCommand, SaysWhatIsMissing) {
       "too many");
   refuses("--sensitivity " + kGalerkin + kPaper, "--against");
   refuses("--modes 1:3 " + scene("04_impact_oscillator.toml"),
-          "04_impact_oscillator.toml:13:1: modal: these modes are given");
+          "04_impact_oscillator.toml:13:1: modal: the modes of this scene are given");
   refuses(kGalerkin + scene("06_bouncing_ball.toml"), "forcing");
 }
 

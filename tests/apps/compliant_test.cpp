@@ -107,7 +107,7 @@ TEST_F(Compliant, CheckSaysWhatTheStopIs) {
 TEST_F(Compliant, CheckSaysWhatWasAskedForAndWhatItGives) {
   const Finished run = run_graze("check --wide " + file());
   ASSERT_EQ(run.code, 0) << run.err;
-  EXPECT_NE(run.out.find("stop 1: asked for restitution 0.5 at 0.5 m/s, one such contact gives "
+  EXPECT_NE(run.out.find("stop 1: requested restitution 0.5 at 0.5 m/s, one contact gives "
                          "0.662962; exact with the coefficient "),
             std::string::npos)
       << run.out;
@@ -133,7 +133,7 @@ TEST_F(Compliant, CheckNamesTheMassAndTheOnset) {
       "restitution=0.5,mass=2.0,onset=1e-6},release=\"position\"}' " +
       file());
   ASSERT_EQ(run.code, 0) << run.err;
-  EXPECT_NE(run.out.find("asked for restitution 0.5 of 2 kg, one such contact gives 0.5, and more"),
+  EXPECT_NE(run.out.find("requested restitution 0.5 of 2 kg, one contact gives 0.5, and more"),
             std::string::npos)
       << run.out;
 }

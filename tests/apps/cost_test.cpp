@@ -78,7 +78,7 @@ TEST(CostCommand, PutsEachOfItsTablesUnderAHeading) {
   ASSERT_EQ(run.code, 0) << run.err;
   std::size_t place = 0;
   for (const char* heading :
-       {"flow ", "\nModes, against 64 of them\n", "\nSumming chatters, ", "\nNewton's steps"}) {
+       {"flow ", "\nModes, against 64 of them\n", "\nClosure speed, ", "\nNewton's steps"}) {
     place = run.out.find(heading, place);
     ASSERT_NE(place, std::string::npos) << heading << " in\n" << run.out;
   }

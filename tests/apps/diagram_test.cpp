@@ -141,7 +141,7 @@ TEST(Diagram, PrintsRangesOfAttractors) {
   EXPECT_EQ(run.code, 0);
   EXPECT_NE(run.out.find("settles on"), std::string::npos);
   EXPECT_NE(run.out.find("(1,1)"), std::string::npos);
-  EXPECT_NE(run.out.find("clear"), std::string::npos);
+  EXPECT_NE(run.out.find("no impact"), std::string::npos);
   EXPECT_EQ(run.err, "");
 }
 

@@ -279,7 +279,7 @@ TEST_F(PictureOptions, APageHasNoUseForThem) {
     const std::string page = (scratch / "x.html").string();
     const Finished run = run_graze("continue " + kDrawnBranch + option + " --plot " + page);
     EXPECT_EQ(run.code, 2) << option;
-    EXPECT_NE(run.err.find("are of pictures"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("are options of pictures"), std::string::npos) << run.err;
     EXPECT_FALSE(std::filesystem::exists(page));
   }
   EXPECT_NE(refusal("continue " + kDrawnBranch + "--y-scale log --y-range -1:2")

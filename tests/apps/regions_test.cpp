@@ -64,7 +64,7 @@ TEST(RegionsCommand, WritesATableAndAPicture) {
   EXPECT_EQ(lines[0], "value,second,area,label");
   EXPECT_EQ(lines[1].back(), '"');
   EXPECT_NE(
-      run.out.find("4 by 4 places; what is smaller than 2.5 rad/s by 0.00025 m may be missed"),
+      run.out.find("4 by 4 places; regions smaller than 2.5 rad/s by 0.00025 m may be missed"),
       std::string::npos)
       << run.out;
   EXPECT_NE(run.out.find("(1,1) + no impact"), std::string::npos);

@@ -54,7 +54,7 @@ TEST(ComponentSearches, OfARestitutionByTheSpeedStateTheirDensity) {
   EXPECT_EQ(result.sought.solved_values, 1025);
   EXPECT_EQ(result.sought.unsolved, 0);
   EXPECT_TRUE(says(result, "at values of forcing.frequency 0.00244 apart"));
-  EXPECT_TRUE(says(result, "a component that lies between two of them is missed"));
+  EXPECT_TRUE(says(result, "a connected branch that lies between two of these values is missed"));
 }
 
 TEST(ComponentSearches, WithoutTheClosedFormStateTheirStarts) {
@@ -70,7 +70,7 @@ TEST(ComponentSearches, WithoutTheClosedFormStateTheirStarts) {
   EXPECT_EQ(result.sought.start_values, 7);
   EXPECT_EQ(result.sought.start_spacing, 0.5);
   EXPECT_TRUE(says(result,
-                   "(1, 1) orbits were sought at 7 values of forcing.frequency, 0.5 apart, "
+                   "(1, 1) orbits were searched for at 7 values of forcing.frequency, 0.5 apart, "
                    "from rounds of 16 quasi-random phases with deflation"));
 }
 
@@ -101,7 +101,7 @@ TEST(ComponentSearches, OneThatWasStoppedSaysSo) {
   options.stop.deadline = std::chrono::steady_clock::now();
   const OrbitBranches result = trace_orbits(family, options);
   EXPECT_FALSE(result.sought.complete());
-  EXPECT_TRUE(says(result, "was stopped before its end: components may be missing"));
+  EXPECT_TRUE(says(result, "was stopped before its end: connected branches may be missing"));
 }
 
 }  // namespace

@@ -128,7 +128,7 @@ TEST(StickingBranch, ChattersAreClosedByTheScenesTolerance) {
   const double speed =
       default_closure_speed(system, initial_state(scene, system), scene.solver.tolerance);
   char words[64];
-  std::snprintf(words, sizeof words, "summed below %.4g m/s", speed);
+  std::snprintf(words, sizeof words, "closure speed of its chatters is %.4g m/s", speed);
   EXPECT_TRUE(
       std::any_of(traced.details.begin(), traced.details.end(),
                   [&](const std::string& note) { return note.find(words) != std::string::npos; }))

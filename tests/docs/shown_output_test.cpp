@@ -26,8 +26,8 @@ TEST(ShownLines, AgreeInWordsAndNumbers) {
   EXPECT_FALSE(shows_line("a 1", "a 1 2"));
   EXPECT_TRUE(shows_line("a 1 ..", "a 1 2 b"));
   // Below 1e-12 there is rounding only.
-  EXPECT_TRUE(shows_line("missing 9.11e-19 J", "missing -1.08e-19 J"));
-  EXPECT_FALSE(shows_line("missing 9.11e-19 J", "missing 2e-9 J"));
+  EXPECT_TRUE(shows_line("error of the balance 9.11e-19 J", "error of the balance -1.08e-19 J"));
+  EXPECT_FALSE(shows_line("error of the balance 9.11e-19 J", "error of the balance 2e-9 J"));
 }
 
 TEST(ShownOutput, LeavesOutOnlyWhatItSays) {

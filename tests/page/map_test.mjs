@@ -38,7 +38,7 @@ const toldNumbers = (page) => page.$$eval('#orbit-numbers tr', (rows) => Object.
 inPage('a map is drawn in the colours of the picture', basins, async (page) => {
   assert.equal(await text(page, 'h1'), 'Basins of attraction');
   const titles = await page.$$eval('#legend button', (list) => list.map((button) => button.textContent));
-  assert.deepEqual(titles, ['(1,1)', 'clear', 'no start']);
+  assert.deepEqual(titles, ['(1,1)', 'no impact', 'no start']);
   assert.ok(await pixelsOf(page, '#dots') > 100_000);
   assert.equal(await colourAt(page, await placeOfCell(page, [0, 49], [40, 41])), '#77aadd');  // (1,1)
   assert.equal(await colourAt(page, await placeOfCell(page, [39, 49], [20, 41])), '#c4e4f2');  // rests at the start
@@ -72,10 +72,10 @@ inPage('what is shown can be switched, with a bar of its colours', basins, async
 
 inPage('the legend hides by attractor', basins, async (page) => {
   const all = await pixelsOf(page, '#dots');
-  await page.click('#legend button:text("clear")');
+  await page.click('#legend button:text("no impact")');
   assert.ok(await pixelsOf(page, '#dots') < all);
   assert.match(await colourAt(page, await placeOfCell(page, [39, 49], [20, 41])), /none/);
-  await page.click('#legend button:text("clear")');
+  await page.click('#legend button:text("no impact")');
   assert.equal(await pixelsOf(page, '#dots'), all);
 });
 
@@ -87,7 +87,7 @@ inPage('wheel and buttons zoom', basins, async (page) => {
   await settled(page);
   assert.notEqual(await range(page), whole);
   assert.equal(await colourAt(page, place), '#c4e4f2');  // what is under the pointer stays there
-  assert.match(await text(page, '#hover'), /^(clear.*)?$/);
+  assert.match(await text(page, '#hover'), /^(no impact.*)?$/);
   await page.click('#zoom-reset');
   assert.equal(await range(page), whole);
 });

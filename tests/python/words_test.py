@@ -12,7 +12,7 @@ from options_test import FUNCTIONS
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_docstrings_are_in_words_of_python(name):
     told = FUNCTIONS[name].__doc__
-    assert "--" not in told and "with commas" not in told
+    assert "--" not in told and "separated by commas" not in told
     assert not re.search(r"\bgraze (check|merge|view|continue)\b", told)
 
 

@@ -126,8 +126,8 @@ class Page {
                              told.unit.empty() ? "" : " (" + told.unit + ")");
     }
     if (is_new(name + "|" + columns, name))
-      lines_.push_back(fmt::format("|`{}.csv`|{}|{}|", name,
-                                   rows.empty() ? "" : "`" + rows + "`", columns));
+      lines_.push_back(
+          fmt::format("|`{}.csv`|{}|{}|", name, rows.empty() ? "" : "`" + rows + "`", columns));
   }
   const std::vector<std::string>& lines() const { return lines_; }
 
@@ -143,8 +143,8 @@ class Page {
     std::string text = row.what;
     if (!row.some.empty()) text += (text.empty() ? "" : "; ") + row.some;
     if (!row.entries.empty()) text += (text.empty() ? "" : ": ") + row.entries;
-    lines_.push_back(fmt::format("|{}|{}|{}|", command,
-                                 row.path.empty() ? "" : "`" + row.path + "`", text));
+    lines_.push_back(
+        fmt::format("|{}|{}|{}|", command, row.path.empty() ? "" : "`" + row.path + "`", text));
   }
 
   std::map<std::string, std::string> told_;
@@ -232,7 +232,7 @@ std::vector<std::string> lines_of_page() {
 // Documents first, then tables, each in the order of the commands.
 std::string sorted(std::vector<std::string> lines) {
   std::stable_partition(lines.begin(), lines.end(), [](const std::string& line) {
-    return line.find(".csv` |") == std::string::npos;
+    return line.find(".csv`|") == std::string::npos;
   });
   return fmt::format("{}\n", fmt::join(lines, "\n"));
 }

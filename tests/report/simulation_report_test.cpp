@@ -148,7 +148,7 @@ TEST(SimulationText, ShowsTheFirstAndTheLastEvents) {
 
 TEST(SimulationText, SaysWhatHoldsTheStructureAtTheEnd) {
   const std::string text = to_text(record_of_run());
-  EXPECT_NE(text.find("held at the end by       stop 1, force 9.81 N\n"), std::string::npos);
+  EXPECT_NE(text.find("at rest at the end on    stop 1, force 9.81 N\n"), std::string::npos);
   EXPECT_NE(text.find("interrupted: stopped"), std::string::npos);
 }
 

@@ -74,8 +74,8 @@ def in_python(sentence: str) -> str:
     """What the program says of its options and commands, of keywords and functions."""
     sentence = re.sub(r"--([a-z][a-z-]*)", _as_keyword, sentence)
     sentence = re.sub(rf"\bgraze ({_COMMANDS})\b", lambda at: f"graze.{_keyword(at.group(1))}", sentence)
-    sentence = sentence.replace("several with commas", "one or a list of them")
-    return sentence.replace("with commas", "a list")
+    sentence = sentence.replace("several, separated by commas", "one or a list of them")
+    return sentence.replace("separated by commas", "a list")
 
 
 def _as_keyword(option: "re.Match[str]") -> str:

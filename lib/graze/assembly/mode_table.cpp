@@ -59,9 +59,9 @@ std::vector<std::string> notes_of(const MatrixModes& matrices, Units units) {
   if (modes.is_dense)
     notes.push_back("all modes were found");
   else if (modes.counted)
-    notes.push_back(
-        fmt::format("{} modes below {:.6g}{} by Sylvester's law of inertia, as many as were found",
-                    *modes.counted, modes.counted_below, unit_behind(units, "rad/s")));
+    notes.push_back(fmt::format(
+        "{} modes below {:.6g}{} by Sylvester's law of inertia, equal to the number found",
+        *modes.counted, modes.counted_below, unit_behind(units, "rad/s")));
   else
     notes.push_back(
         fmt::format("modes not counted ({}); a second iteration met none that is "

@@ -99,10 +99,10 @@ std::vector<std::string> system_warnings(const Scene& scene, const System& syste
     const double gain = worst_energy_gain(stop.row, stop.direction(), r);
     // For N = 1 the collocation law is the momentum law.
     if (gain > 1.0 + 16.0 * std::numeric_limits<double>::epsilon())
-      warnings.push_back(fmt::format(
-          "the collocation impulse of stop {} is oblique: one impact can multiply the kinetic "
-          "energy by up to {:.6g}",
-          i + 1, gain));
+      warnings.push_back(
+          fmt::format("the collocation impulse of stop {} is not normal in the mass metric: one "
+                      "impact can multiply the kinetic energy by up to {:.6g}",
+                      i + 1, gain));
   }
   return warnings;
 }

@@ -109,8 +109,8 @@ std::vector<std::string> simulation_warnings(const System& system, const Simulat
                                  [](const Stop& stop) { return !stop.is_compliant(); });
   if (rigid && totals.energy_added > rounding)
     warnings.push_back(
-        fmt::format("impacts added {:.3g}{} of kinetic energy; an oblique impulse law can do that, "
-                    "and so can unequal restitutions of stops that are hit at once",
+        fmt::format("impacts added {:.3g}{} of kinetic energy; the collocation impulse law can do "
+                    "that, and so can unequal restitutions of stops that are hit at once",
                     totals.energy_added, unit_behind(system.units, "J")));
   if (totals.clamped_restitutions > 0)
     warnings.push_back(
@@ -164,8 +164,7 @@ Outcome orbit_outcome(const FoundOrbits& found, const FinderOptions& options, St
   if (found.tried.empty())
     return {"none",
             "none of the chosen starts applies: the closed form is for one or two impacts, the "
-            "simulation "
-            "needs a start clear of the stop" +
+            "simulation needs an initial state that does not lie beyond the stop" +
                 (found.notes.empty() ? "" : " (" + found.notes.front() + ")")};
   std::string message = fmt::format(
       "no orbit{} in {} forcing period{} was found{}, from {}",
@@ -177,8 +176,8 @@ Outcome orbit_outcome(const FoundOrbits& found, const FinderOptions& options, St
       found.tried);
   if (found.inadmissible > 0)
     message += fmt::format(
-        "; {} solution{} of the equations {} no orbit of the system (penetrating "
-        "or impacting at negative speed; --virtual lists such)",
+        "; {} solution{} of the equations {} inadmissible (penetrating a stop, or impacting at "
+        "negative speed; --virtual lists these)",
         found.inadmissible, found.inadmissible == 1 ? "" : "s",
         found.inadmissible == 1 ? "is" : "are");
   return {"none", message};
@@ -216,8 +215,8 @@ std::pair<long long, long long> orbits_of_open_stability(const OrbitBranches& tr
 // The end of a sentence, for starts that led to no branch.
 std::string why_nothing_was_traced(const OrbitBranches& traced) {
   if (traced.virtual_starts > 0)
-    return "; every solution of the equations that was met penetrates a stop or impacts at "
-           "negative speed (--virtual traces such)";
+    return "; every solution that was found is inadmissible: it penetrates a stop, or impacts at "
+           "negative speed (--virtual traces these)";
   if (traced.starts == 1) return "; the one start led to no branch";
   if (traced.starts > 1) return fmt::format("; none of {} starts led to a branch", traced.starts);
   return "";
@@ -245,10 +244,9 @@ Outcome branch_outcome(const OrbitBranches& traced, const BranchOptions& options
                         "missing or cut short",
                         traced.cut_short, traced.traced)};
   if (traced.meetings > 0)
-    return {"budget",
-            fmt::format("{} branch end{} where two impacts meet (a flight between them shrinks to "
-                        "nothing); beyond it their order changes, which is not followed",
-                        traced.meetings, traced.meetings == 1 ? " lies" : "s lie")};
+    return {"budget", fmt::format("{} branch end{} where two impacts coincide; beyond it their "
+                                  "order changes, which is not followed",
+                                  traced.meetings, traced.meetings == 1 ? " lies" : "s lie")};
   if (const auto [open, orbits] =
           orbits_of_open_stability(traced, std::abs(options.to - options.from));
       open > 0)

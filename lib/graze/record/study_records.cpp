@@ -186,14 +186,13 @@ Outcome regions_outcome(const StableRegions& regions, const Outcome& loci) {
   const auto says = [](const RegionPlace& place) { return !place.message.empty(); };
   const auto first = std::find_if(regions.places.begin(), regions.places.end(), says);
   if (first != regions.places.end())
-    return {"budget",
-            fmt::format("at {} of {} places what is stable is not known in full; the first, "
-                        "({:.9g}, {:.9g}): {}",
-                        std::count_if(first, regions.places.end(), says), all, first->value,
-                        first->second, first->message)};
+    return {"budget", fmt::format("at {} of {} places the list of stable motions is incomplete; "
+                                  "the first, ({:.9g}, {:.9g}): {}",
+                                  std::count_if(first, regions.places.end(), says), all,
+                                  first->value, first->second, first->message)};
   if (!regions.settled)
-    return {"budget", fmt::format("what places hand on to one another still led to something new "
-                                  "after {} rounds",
+    return {"budget", fmt::format("the exchange of orbits between neighbouring places still found "
+                                  "new ones after {} rounds",
                                   regions.rounds)};
   return {"complete", ""};
 }

@@ -174,7 +174,7 @@ double DataTable::number(std::size_t row, std::size_t column) const {
   if (!value && has_point_ && cell.find(',') != std::string::npos)
     throw cell_error(row, column,
                      fmt::format("{}: '{}' has a comma where other numbers have a point; numbers "
-                                 "must be written in one way, thousands not parted",
+                                 "must be written in one way, without separators of thousands",
                                  name, shown(cell)));
   if (!value)
     throw cell_error(row, column, fmt::format("{}: '{}' is not a number", name, shown(cell)));

@@ -38,7 +38,8 @@ void ComponentSearch::add(const SpeedSurvey& survey) {
 std::string in_words(const ComponentSearch& search, const std::string& parameter, int period) {
   if (search.stopped)
     return fmt::format(
-        "the search for ({}, 1) solutions was stopped before its end: components may be missing",
+        "the search for ({}, 1) solutions was stopped before its end: connected branches may be "
+        "missing",
         period);
   std::string text;
   if (search.surveys > 0) {
@@ -54,37 +55,41 @@ std::string in_words(const ComponentSearch& search, const std::string& parameter
     if (search.lost > 0)
       text += fmt::format("; {} of their starts could not be confirmed", search.lost);
     if (search.cells > 0 && search.undecided_cells == 0)
-      text += fmt::format("; along them every run of orbits wider than {:.3g} was sought",
-                          search.resolution);
+      text +=
+          fmt::format("; along them every interval of orbits wider than {:.3g} was searched for",
+                      search.resolution);
     if (search.undecided_cells > 0)
       text += fmt::format(
-          "; along them {} place{} up to {:.3g} wide may hold more orbits, the budget is spent",
+          "; {} place{} in them up to {:.3g} wide may hold more orbits, as the search budget was "
+          "spent",
           search.undecided_cells, search.undecided_cells == 1 ? "" : "s", search.widest_cell);
     if (search.runs_lost > 0)
       text += fmt::format("; {} orbits among them could not be traced", search.runs_lost);
     if (search.samples > 0)
       text += fmt::format(
-          "; orbits among them were sought at values {:.3g} apart, a run of orbits between two of "
-          "which is missed",
+          "; orbits in them were searched for at values {:.3g} apart; orbits that exist only "
+          "between two of these are missed",
           search.sample_spacing);
   }
   if (search.surveys > 0 && search.left_out == 0) return text;
   if (!text.empty()) text += "; ";
   if (search.solved_values > 0) {
     text += fmt::format(
-        "where the restitution depends on the speed, ({}, 1) solutions were sought at values of {} "
-        "{:.3g} apart, by the equation of their speed, all there are at {} of these values",
+        "where the restitution depends on the speed, ({}, 1) solutions were searched for at values "
+        "of {} {:.3g} apart, by the equation for their impact speed; at {} of these values all "
+        "were found",
         period, parameter, search.solved_spacing, search.solved_values);
-    if (search.unsolved > 0) text += fmt::format(" and perhaps not all at {}", search.unsolved);
-    return text + ": a component that lies between two of them is missed";
+    if (search.unsolved > 0)
+      text += fmt::format("; at {} values some may be missing", search.unsolved);
+    return text + ": a connected branch that lies between two of these values is missed";
   }
-  text += fmt::format("({}, 1) orbits were sought at {} value{} of {}", period, search.start_values,
-                      search.start_values == 1 ? "" : "s", parameter);
+  text += fmt::format("({}, 1) orbits were searched for at {} value{} of {}", period,
+                      search.start_values, search.start_values == 1 ? "" : "s", parameter);
   if (search.start_values > 1) text += fmt::format(", {:.3g} apart", search.start_spacing);
   if (search.random_starts > 0)
     text +=
         fmt::format(", from rounds of {} quasi-random phases with deflation", search.random_starts);
-  return text + ": a component that lies between two of them is missed";
+  return text + ": a connected branch that lies between two of these values is missed";
 }
 
 }  // namespace graze

@@ -76,7 +76,8 @@ bool BranchCollector::trace_from(const ImpactPattern& pattern,
 bool BranchCollector::trace_from(const Orbit& orbit, double value) {
   ++result_.starts;
   const std::vector<Written> ways = problems_.written(orbit, std::span(&value, 1));
-  if (ways.empty()) notes_.insert("an orbit whose closed stops never let go is not continued");
+  if (ways.empty())
+    notes_.insert("an orbit that is never released from its stops is not continued");
   return !ways.empty() && trace_written(ways.front(), value, {});
 }
 
@@ -132,7 +133,8 @@ std::vector<BranchCollector::Written> BranchCollector::written(const SpecialOrbi
       at.followed ? closed_stops(at.followed->states.front()) : std::vector<int>();
   if (at.followed ? std::any_of(closed.begin(), closed.end(), gives_way)
                   : system->has_compliant_stop()) {
-    notes_.insert("the point is of orbits on rigid stops, and these give way");
+    notes_.insert(
+        "the special point belongs to orbits on rigid stops, but these stops are compliant");
     return {};
   }
   if (!at.followed) {
@@ -174,8 +176,8 @@ void BranchCollector::trace_restarted(LaidOrbits& orbits, const SolutionPoint& p
   if (start.at.label != label_of(SpecialKind::kGrazing) && !orbits.boundaries->lists(point)) {
     ++result_.virtual_starts;
     result_.notes.push_back(
-        "the solution there is no orbit of the system (penetrating or impacting at negative "
-        "speed); --virtual goes on from it");
+        "the solution there is inadmissible (it penetrates a stop, or impacts at negative speed); "
+        "--virtual continues from it");
     return;
   }
   if (!start.switched) {
@@ -309,8 +311,9 @@ bool BranchCollector::switch_from(const SpecialPoint& special,
   if (special.kind == SpecialKind::kChatterCompletes && !others.empty() &&
       !others.front().orbit.sticks())
     notes_.insert(
-        "beyond a CH no single branch goes on: one more impact fits in each of infinitely many "
-        "windows that crowd up to it, and the orbits of the first ones were sought");
+        "beyond a CH no single branch continues: infinitely many windows of the parameter "
+        "accumulate at it, each with one more impact; the orbits of the first ones were searched "
+        "for");
   return found_.size() > known;
 }
 

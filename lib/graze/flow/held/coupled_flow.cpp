@@ -98,8 +98,9 @@ double CoupledFlow::longest_flight() const {
 std::string CoupledFlow::instability() const {
   if (!(growth_ > 0.0)) return "";
   return fmt::format(
-      "held on its stops by an oblique impulse law the structure is unstable (a motion grows at "
-      "{:.3g} 1/s); points spread evenly (i L/N) and equal decay rates have no such motion",
+      "at rest on its stops under the collocation impulse law the structure is unstable (a motion "
+      "grows at {:.3g} 1/s); points spread evenly (i L/N) and equal decay rates have no such "
+      "motion",
       growth_);
 }
 

@@ -128,7 +128,7 @@ class Finder {
     }
     found_.notes.push_back(fmt::format("{}; solved for, it is a ({}, {}) orbit that sticks",
                                        settled.classification, orbit.period, orbit.impacts.size()));
-    found_.details.push_back(fmt::format("its chatters are summed below {:.4g}{}",
+    found_.details.push_back(fmt::format("the closure speed of its chatters is {:.4g}{}",
                                          segment_options_.closure_speed,
                                          unit_behind(system_.units, "m/s")));
   }

@@ -22,7 +22,7 @@ constexpr int kRepetitions = 3;
 // burst does not exhaust; impacts without end at one instant are detected by the motion.
 constexpr long long kMostNumbersPerPeriod = 1 << 25;
 constexpr double kLost = 1e-3;  // a motion this far from an orbit is on its way elsewhere
-constexpr const char* kSettlesClear = "settles clear of every stop";
+constexpr const char* kSettlesClear = "settles on a motion without impacts";
 constexpr int kPatience = 32;  // repetitions until the stability of an orbit is computed again
 
 long long remembered(const SettleOptions& options) {
@@ -59,7 +59,7 @@ bool Settling::add_impact(int stop, double local, double speed, const Vector& q,
                                                        count(options_.max_impacts, "impact")));
   if (++in_period_ > kMostNumbersPerPeriod / (2 * system_.modes()))
     return end(SettledKind::kImpactBudget,
-               fmt::format("met more impacts in forcing period {} than memory is kept for, {}",
+               fmt::format("had more impacts in forcing period {} than can be stored, {}",
                            periods() + 1, in_period_ - 1));
   ++result_.impacts_met;
   history_.add_impact({periods(), stop, flow_.phase({periods(), local}), speed}, q, qdot);

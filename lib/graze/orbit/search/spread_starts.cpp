@@ -182,10 +182,10 @@ class Spread {
       parts.push_back(fmt::format("{} on ({}, {}) orbits", count, name.first, name.second));
       other -= count;
     }
-    if (clear_ > 0) parts.push_back(fmt::format("{} clear of every stop", clear_));
-    if (other > 0) parts.push_back(fmt::format("{} on nothing that is listed", other));
-    found_.notes.push_back(fmt::format("{} motions from a spread of starts settle: {}", followed_,
-                                       fmt::join(parts, ", ")));
+    if (clear_ > 0) parts.push_back(fmt::format("{} without impacts", clear_));
+    if (other > 0) parts.push_back(fmt::format("{} on motions that are not listed", other));
+    found_.notes.push_back(fmt::format("{} motions from quasi-random initial states settle: {}",
+                                       followed_, fmt::join(parts, ", ")));
   }
 
   const System& system_;
@@ -208,7 +208,8 @@ void add_settled_orbits(const System& system, const FinderOptions& options, long
   if (system.is_self_excited()) return;  // its periods are not known
   if (places_of_starts(system) > kMostStops) {
     found.notes.push_back(fmt::format(
-        "with more than {} stops no motions from a spread of starts are followed", kMostStops));
+        "with more than {} stops no motions from quasi-random initial states are simulated",
+        kMostStops));
     return;
   }
   Spread(system, options, most_work, found).follow();

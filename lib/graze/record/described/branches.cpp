@@ -111,7 +111,8 @@ using Measured = BranchAmplitudes::Measured;
 void describe_branch(ResultVisitor& v, const OrbitBranch& branch, const BranchRecord& record,
                      const Measured* measured) {
   v.field(Field{"id", "", "from 1"}.as("branch").in("branches"), branch.id);
-  v.field(Field{"component", "", "connected set of solutions"}.in("branches"), branch.component);
+  v.field(Field{"component", "", "number of the connected branch"}.in("branches"),
+          branch.component);
   v.field(Field{"period", "", "p"}.in("branches"), branch.pattern.period);
   v.field({"impacts", "", "k; null of orbits that stick"},
           branch.sticks() ? std::nullopt : std::optional(branch.pattern.impacts()));
@@ -162,7 +163,8 @@ void describe_counters(ResultVisitor& v, const OrbitBranches& traced) {
 void describe_search(ResultVisitor& v, const ComponentSearch& search) {
   const auto width = [](double size) { return size > 0.0 ? std::optional(size) : std::nullopt; };
   v.part(
-      {"search", "", "how components of (p, 1) solutions were sought; widths in the parameter"},
+      {"search", "",
+       "how connected branches of (p, 1) solutions were searched for; widths in the parameter"},
       [&] {
         v.field({"complete", "", "none was missed that is wider than `resolution`"},
                 search.complete());
@@ -172,7 +174,7 @@ void describe_search(ResultVisitor& v, const ComponentSearch& search) {
         v.field({"undecided", "", "places where a budget was spent"}, search.undecided);
         v.field({"widest_undecided"}, width(search.widest));
         v.field({"starts_lost", "", "that Newton's method did not confirm"}, search.lost);
-        v.field({"cells", "", "examined for runs of orbits"}, search.cells);
+        v.field({"cells", "", "examined for intervals of orbits"}, search.cells);
         v.field({"undecided_cells"}, search.undecided_cells);
         v.field({"widest_undecided_cell"}, width(search.widest_cell));
         v.field({"resolution"}, width(search.resolution));

@@ -162,8 +162,8 @@ void describe(ResultVisitor& v, const Event& event) {
     v.field({"phase", "rad"}, event.phase);
   if (const auto some = v.where(impact || parts || chatter, "at impacts, chatters and separations"))
     v.field({"energy_change", "J",
-             "kinetic; of a chatter by the tail that was summed; of a separation minus what the "
-             "stop took"},
+             "kinetic; of a chatter by the part below its closure speed; of a separation minus "
+             "what the stop took"},
             event.energy_change);
   if (const auto some = v.where(chatter, "of a chatter")) {
     v.field({"impacts"}, event.impacts);

@@ -90,7 +90,8 @@ void describe_sticking(ResultVisitor& v, const Orbit& orbit) {
            });
          });
   describe_section(v, orbit);
-  v.field(Field{"closure_speed", "m/s", "below which chatters are summed"}.document(),
+  v.field(Field{"closure_speed", "m/s", "below which the rest of a chatter is computed at once"}
+              .document(),
           held(orbit.section).closure_speed);
 }
 
@@ -99,10 +100,9 @@ namespace {
 void describe_orbit(ResultVisitor& v, const Orbit& orbit, std::size_t number) {
   v.field(Field{"orbit", "", "its number"}.in("orbits stuck contacts").tabular(), number);
   v.field(Field{"period", "", "p"}.in("orbits"), orbit.period);
-  v.field(Field{"impacts", "",
-                "k; of an orbit that sticks those before a chatter is closed, by `--closure-speed`"}
-              .in("orbits"),
-          orbit.impacts.size());
+  v.field(
+      Field{"impacts", "", "k; of an orbit that sticks those above `--closure-speed`"}.in("orbits"),
+      orbit.impacts.size());
   v.values({"phases", "rad"}, orbit.impacts, [](const OrbitImpact& at) { return at.phase; });
   v.values({"speeds", "m/s"}, orbit.impacts, [](const OrbitImpact& at) { return at.speed; });
   describe_impacts(v, orbit.impacts);

@@ -80,6 +80,11 @@ std::string attractor_label(const AttractorClass& attractor) {
   return attractor_kind(attractor);
 }
 
+std::string attractor_title(const AttractorClass& attractor) {
+  const std::string label = attractor_label(attractor);
+  return label == "clear" ? orbit_label(attractor.period, 0, false) : label;
+}
+
 std::size_t stops_seen(const SweepRow& row) {
   return row.stop_states.empty() ? 0 : static_cast<std::size_t>(row.stop_states.back().stop + 1);
 }

@@ -30,6 +30,8 @@ std::string orbit_label(int period, long long impacts, bool sticks);
 // The same for a settled motion, or "clear", "at rest", "torus", "chaos", "not periodic", or why
 // there is no attractor.
 std::string attractor_label(const AttractorClass& attractor);
+// The same for tables and pictures: "no impact" in place of "clear".
+std::string attractor_title(const AttractorClass& attractor);
 
 // The number of stops in a row, those of every period one stop after the other.
 std::size_t stops_seen(const SweepRow& row);

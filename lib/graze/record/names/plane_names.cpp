@@ -47,7 +47,10 @@ std::string unit_of(MapQuantity quantity) {
   return quantity == MapQuantity::kSpeed ? "m/s" : "";
 }
 
-std::string attractor_name(const AttractorMap& map, std::size_t attractor) {
+namespace {
+
+// `label` of the attractor's class, with a letter where there are several of it.
+std::string numbered(const AttractorMap& map, std::size_t attractor, const std::string& label) {
   const AttractorClass& own = map.attractors[attractor].attractor;
   std::size_t before = 0, all = 0;
   for (std::size_t i = 0; i < map.attractors.size(); ++i) {
@@ -55,17 +58,26 @@ std::string attractor_name(const AttractorMap& map, std::size_t attractor) {
     ++all;
     if (i < attractor) ++before;
   }
-  const std::string label = attractor_label(own);
   if (all == 1) return label;
   return label + " " +
          (before < 26 ? std::string(1, static_cast<char>('a' + before))
                       : std::to_string(before + 1));
 }
 
+}  // namespace
+
+std::string attractor_name(const AttractorMap& map, std::size_t attractor) {
+  return numbered(map, attractor, attractor_label(map.attractors[attractor].attractor));
+}
+
+std::string attractor_title(const AttractorMap& map, std::size_t attractor) {
+  return numbered(map, attractor, attractor_title(map.attractors[attractor].attractor));
+}
+
 std::string cell_name(const AttractorMap& map, const MapCell& cell) {
   if (!cell.is_known) return "not run";
-  return cell.place >= 0 ? attractor_name(map, static_cast<std::size_t>(cell.place))
-                         : attractor_label(cell.attractor);
+  return cell.place >= 0 ? attractor_title(map, static_cast<std::size_t>(cell.place))
+                         : attractor_title(cell.attractor);
 }
 
 bool is_clear(const MapCell& cell) {
@@ -157,7 +169,7 @@ std::string title_of(ComparedQuantity quantity) {
     case ComparedQuantity::kTaken:
       break;
   }
-  return "energy taken by the stops, relative difference";
+  return "energy lost at the stops, relative difference";
 }
 
 bool is_signed(ComparedQuantity quantity) {
@@ -194,8 +206,8 @@ bool is_comparable(const ComparedCell& cell) {
 
 std::string cell_name(const ComparedCell& cell) {
   if (!cell.is_known) return "not run";
-  if (!is_comparable(cell)) return attractor_label(has_attractor(cell.one) ? cell.other : cell.one);
-  return cell.difference.is_same_attractor ? "both " + attractor_label(cell.one) : "different";
+  if (!is_comparable(cell)) return attractor_title(has_attractor(cell.one) ? cell.other : cell.one);
+  return cell.difference.is_same_attractor ? "both " + attractor_title(cell.one) : "different";
 }
 
 }  // namespace graze

@@ -21,8 +21,10 @@ std::string unit_of(MapQuantity quantity);
 
 // "(1,1)", or "(1,1) b" for the second of several of the same class.
 std::string attractor_name(const AttractorMap& map, std::size_t attractor);
+// The same for tables and pictures: "no impact" in place of "clear".
+std::string attractor_title(const AttractorMap& map, std::size_t attractor);
 
-// The name of a cell's motion: "(2,1)", "clear", "no start", ..
+// The name of a cell's motion in tables and pictures: "(2,1)", "no impact", "no start", ..
 std::string cell_name(const AttractorMap& map, const MapCell& cell);
 
 // Whether the settled motion of the cell meets no stop.
@@ -59,7 +61,7 @@ double compared_value(const MotionDifference& difference, ComparedQuantity quant
 
 // Whether the cell was run and both of its motions have an attractor.
 bool is_comparable(const ComparedCell& cell);
-// What both settle on: "both (1,1)", "different", "no start", ..
+// What both settle on, likewise: "both (1,1)", "different", "no start", ..
 std::string cell_name(const ComparedCell& cell);
 
 }  // namespace graze

@@ -10,7 +10,7 @@ namespace graze {
 namespace {
 
 const std::vector<Look> kLines = {
-    {.id = "virtual", .title = "virtual", .colour = kGrey, .width = 0.9},
+    {.id = "virtual", .title = "inadmissible", .colour = kGrey, .width = 0.9},
     {.id = "open", .title = "stability open", .colour = kBlack, .dashes = {2, 3}},
     {.id = "unstable", .title = "unstable", .colour = kVermillion, .dashes = {8, 5}},
     {.id = "stable", .title = "stable", .colour = kBlue, .width = 2.2}};
@@ -42,7 +42,7 @@ const std::vector<Look> kSpecial = {
     mark("UZ", "level (UZ)", kIndigo, MarkShape::kPentagon, false, 0.9),
     mark("EX", "extreme (EX)", kVermillion, MarkShape::kDiamond, true, 1.0)};
 const Look kVirtualSpecial =
-    mark("virtual point", "virtual special point", kGrey, MarkShape::kDot, false, 0.6);
+    mark("virtual point", "inadmissible special point", kGrey, MarkShape::kDot, false, 0.6);
 const Look kUnknownSpecial = mark("", "", kBlack, MarkShape::kSquare, true, 0.9);
 const Look kCodimensionTwo =
     mark("codimension two", "codimension two", kBlack, MarkShape::kDot, false, 0.8);
@@ -55,7 +55,7 @@ const std::vector<Look> kLoci = {
     {.id = "CH", .title = "chatter ends (CH)", .colour = kOrange, .dashes = {14, 3, 2, 3, 2, 3}},
     {.id = "UZ", .title = "level (UZ)", .colour = kIndigo, .width = 1.4},
     {.id = "EX", .title = "extreme (EX)", .colour = kVermillion, .dashes = {2, 4}},
-    {.id = "virtual", .title = "virtual", .colour = kGrey, .width = 0.9}};
+    {.id = "virtual", .title = "inadmissible", .colour = kGrey, .width = 0.9}};
 
 Look dot(const char* id, const char* title, const char* colour) {
   return mark(id, title, colour, MarkShape::kDot, false, 0.35);
@@ -71,7 +71,7 @@ Look ground(const char* id, const char* title, const char* colour) {
 // Grounds light enough for lines and words upon them (after P. Tol, Colour Schemes,
 // SRON/EPS/TN/09-002, 2021, the light scheme).
 const std::vector<Look> kGrounds = {
-    ground("clear", "clear of the stops", "#C4E4F2"),
+    ground("clear", "no impact", "#C4E4F2"),
     ground("(1,1)", "(1,1)", "#77AADD"),
     ground("(2,2)", "(2,2)", "#FFAABB"),
     ground("sticks", "sticks", kStuckShade),

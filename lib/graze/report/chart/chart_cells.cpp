@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kCellsHeight = 7.0;  // cm
 // Cells without a number because their motions meet no stop.
-constexpr std::array kClear = {"clear of the stops", "both clear"};
+constexpr std::array kClear = {"no impact", "both no impact"};
 
 // Colours of equal steps in lightness, dark to bright (after M. Kuhn's and N. Smith's viridis), and
 // two hues away from zero.
@@ -78,7 +78,7 @@ void set_numbers(const CellNumbers& numbers, ChartCells& cells) {
     ground = static_cast<int>(cells.grounds.size());
     cells.grounds.push_back({title, colour});
   };
-  // White stands for "clear of the stops", in every picture with such cells.
+  // White stands for "no impact", in every picture with such cells.
   for (const char* name : kClear)
     if (const auto clear = grounds.find(name); clear != grounds.end())
       add(clear->second, std::string(name) + " (blank)", ground_look("blank").colour);

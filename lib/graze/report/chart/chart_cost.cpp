@@ -74,7 +74,7 @@ ChartPanel flows_panel(const FlowCosts& costs, Units units) {
     if (!series.x.empty()) panel.series.push_back(series);
   }
   ChartSeries front{
-      "beaten by none",
+      "no setting is better in both",
       {.colour = kBlack, .width = 1.5, .mark = MarkShape::kCircle, .open = true, .size = 1.9},
       false,
       true,

@@ -57,7 +57,7 @@ Chart chart_of(const MapRecord& record) {
                  .without =
                      [&](std::size_t i) {
                        const MapCell& cell = map.cells[i];
-                       return is_clear(cell) ? "clear of the stops" : cell_name(map, cell);
+                       return is_clear(cell) ? "no impact" : cell_name(map, cell);
                      },
                  .title = drawn.title,
                  .unit = drawn.unit,

@@ -19,7 +19,7 @@ void add_attractors(const AttractorMap& map, MapLegend& legend) {
   std::size_t next = 0, rest = 0;
   std::map<std::string, int> given;  // grounds of kinds
   for (std::size_t i = 0; i < map.attractors.size(); ++i) {
-    const std::string name = attractor_name(map, i);
+    const std::string name = attractor_title(map, i);
     const Look* fixed = ground_of(map.attractors[i].attractor);
     std::string colour;
     if (fixed && given[fixed->id]++ == 0)

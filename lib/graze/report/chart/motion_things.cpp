@@ -62,7 +62,7 @@ class ThingsMaker {
   void set_kinds() {
     for_each(
         [&](const SweepRow& row) {
-          const std::string label = attractor_label(attractor_class(row));
+          const std::string label = attractor_title(attractor_class(row));
           add_kind({"sweep: " + label, label, ""});
         },
         [&](std::size_t b, std::size_t k) {

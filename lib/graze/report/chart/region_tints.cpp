@@ -158,19 +158,19 @@ std::string colour_of(const StableRegions& regions, int tint) {
 std::string title_of(const StableRegions& regions, int tint) {
   switch (tint) {
     case kAsked:
-      return asked(regions, 1) + " alone";
+      return "only " + asked(regions, 1);
     case kDoubled:
-      return asked(regions, 2) + " alone";
+      return "only " + asked(regions, 2);
     case kClear:
-      return "no impact alone";
+      return "only no impact";
     case kAskedAndMore:
       return asked(regions, 1) + " and others";
     case kSeveral:
-      return "several, no " + asked(regions, 1);
+      return "several, without " + asked(regions, 1);
     case kSticking:
-      return "sticks alone";
+      return "only sticking";
     default:
-      return "other motion alone";
+      return "only other motions";
   }
 }
 

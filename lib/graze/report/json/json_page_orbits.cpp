@@ -22,7 +22,7 @@ constexpr int kFewest = 128, kLeastPerPeriod = 32;
 constexpr long long kShownPeriods = 12;     // of a motion that does not repeat
 constexpr long long kMostImpacts = 20'000;  // followed for a picture
 constexpr std::size_t kListedImpacts = 400;
-constexpr const char* kFromThere = "The command starts from the state that the sweep was in there.";
+constexpr const char* kFromThere = "The command starts from the state of the sweep at this value.";
 
 int samples_per_period(const PageSource& source, const System& system, long long periods) {
   return std::max(kLeastPerPeriod,
@@ -92,7 +92,7 @@ std::vector<SeenPlace> places_seen(const System& system, int first_stop) {
 }
 
 std::string stability(const Orbit& orbit) {
-  if (!orbit.admissible) return "virtual: no orbit of the system";
+  if (!orbit.admissible) return "inadmissible: passes through a stop, or meets it from behind";
   const std::string sticks = orbit.sticks() ? "sticks, " : "";
   if (!orbit.stable) return sticks + "stability open";
   return sticks + (*orbit.stable ? "stable" : "unstable");
@@ -214,12 +214,13 @@ Json motion_json(const PageSource& source, const System& system, const PageMotio
     }
   std::vector<double> speeds;
   for (const Event& impact : met) speeds.push_back(impact.speed);
-  const std::string name = attractor_label(motion.attractor);
-  const std::string shown =
-      repeats ? ""
-              : fmt::format("Seen are the first {} of the periods that the {} tells of here. ",
-                            periods, motion.settled_in);
-  return {{"name", repeats ? name + " motion" : name},
+  const std::string name = attractor_title(motion.attractor);
+  const std::string shown = repeats
+                                ? ""
+                                : fmt::format("The first {} of the periods of the {} are shown. ",
+                                              periods, motion.settled_in);
+  return {{"name",
+           repeats ? (name == "no impact" ? "motion without impacts" : name + " motion") : name},
           {"value", json_maybe(motion.value)},
           {"period", repeats ? Json(motion.attractor.period) : Json(nullptr)},
           {"span", {0, periods}},

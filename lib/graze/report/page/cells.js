@@ -65,7 +65,7 @@ export class Cells {
   paintNumbers(theme, root) {
     const { values } = this.number;
     const none = theme.shade(this.none), { kind, kinds } = this.things;
-    const clear = kinds.map(({ title }) => title.startsWith('clear'));
+    const clear = kinds.map(({ title }) => title.startsWith('no impact'));
     const pixel = pixelScale(this.number, pixelOf(none));
     const isBlank = (cell) => clear[kind[cell]] && !Number.isFinite(values[cell]);
     let blanks = 0, missing = 0;
@@ -75,7 +75,7 @@ export class Cells {
       return kinds[kind[cell]] && !isBlank(cell) ? pixel(values[cell]) : 0;
     });
     fillBar(root, this.number, [
-      ...(blanks > 0 ? [['clear of the stops (blank)', theme.colours.paper]] : []), ...(missing > 0 ? [['no number', none]] : [])]);
+      ...(blanks > 0 ? [['no impact (blank)', theme.colours.paper]] : []), ...(missing > 0 ? [['no number', none]] : [])]);
   }
 
   // For the image of the picture.

@@ -131,8 +131,8 @@ void write_page(const std::string& file, const MapRecord& record, const Scene& s
   for (const MapAttractor& attractor : map.attractors) {
     const bool wild = attractor.attractor.status == SweepStatus::kNotPeriodic;
     cells.remarks.push_back(
-        wild ? fmt::format("The numbers are those of the last {} forcing periods, and a run agrees "
-                           "with the map for as long as rounding leaves it.",
+        wild ? fmt::format("The numbers are those of the last {} forcing periods; a run agrees "
+                           "with the map until rounding errors have grown.",
                            map.options.samples)
              : "");
     // Starts in one basin lead to one orbit.

@@ -107,7 +107,7 @@ PageTable motions_table(const ComparisonRecord& record) {
   table.words("motion", {record.names.begin(),
                          record.names.begin() + static_cast<std::ptrdiff_t>(motions.size())});
   table.words("settles on", each(motions, [](const ComparedMotion& motion) {
-                return attractor_label(motion.attractor);
+                return attractor_title(motion.attractor);
               }));
   table.numbers("first impact", unit_in(record.info.units, "s"),
                 each(motions, of_first(&RunImpact::time)), 9);
@@ -115,7 +115,7 @@ PageTable motions_table(const ComparisonRecord& record) {
                 each(motions, of_first(&RunImpact::speed)));
   table.numbers("mean energy", unit_in(record.info.units, "J"),
                 each(motions, [](const ComparedMotion& motion) { return known(motion.energy); }));
-  table.numbers("taken by stops a period", unit_in(record.info.units, "J"),
+  table.numbers("lost at the stops a period", unit_in(record.info.units, "J"),
                 each(motions, [](const ComparedMotion& motion) { return known(motion.taken); }));
   return table.take();
 }
@@ -141,7 +141,7 @@ PageTable differences_table(const ComparisonRecord& record) {
   column("displacement (%)", &MotionDifference::displacement, 100.0);
   column("velocity (%)", &MotionDifference::velocity, 100.0);
   column("mean energy (%)", &MotionDifference::energy, 100.0);
-  column("taken by stops (%)", &MotionDifference::taken, 100.0);
+  column("lost at the stops (%)", &MotionDifference::taken, 100.0);
   return table.take();
 }
 

@@ -38,7 +38,7 @@ std::string branches_text(const BranchRecord& record, const TextOptions& options
     return !branch.origin.empty();
   });
   std::vector<std::string> columns = {"branch",
-                                      "component",
+                                      "connected branch",
                                       "orbit",
                                       "points",
                                       "stable",
@@ -206,7 +206,7 @@ std::string counts_text(const OrbitBranches& traced, const TextOptions& options)
     text = starts +
            fmt::format("{} evaluations of the shooting equations\n", traced.shooting_evaluations);
   if (traced.switched > 0 || traced.left_open > 0)
-    text += fmt::format("{} special point{} switched at; {} beyond the depth left open\n",
+    text += fmt::format("branches switched at {} special point{}, not at {} beyond --depth\n",
                         traced.switched, traced.switched == 1 ? "" : "s", traced.left_open);
   return text;
 }

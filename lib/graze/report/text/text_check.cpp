@@ -36,10 +36,10 @@ std::string requests_text(const Scene& scene, const System& system) {
     const std::optional<RequestedRestitution> asked =
         requested_restitution(as_given(*scene.stops[i].spring, system.stops[i].force().stiffness));
     if (!asked) continue;
-    text += fmt::format("stop {}: asked for restitution {:g}", i + 1, asked->requested);
+    text += fmt::format("stop {}: requested restitution {:g}", i + 1, asked->requested);
     if (asked->speed) text += " at " + in.quantity(*asked->speed, 6, "m/s");
     if (asked->mass) text += " of " + in.quantity(*asked->mass, 6, "kg");
-    text += fmt::format(", one such contact gives {:.6g}", asked->effective);
+    text += fmt::format(", one contact gives {:.6g}", asked->effective);
     text += asked->exact_coefficient
                 ? fmt::format("; exact with the coefficient {:.6g}\n", *asked->exact_coefficient)
                 : ", and more where it is not much deeper than the onset\n";
@@ -279,7 +279,7 @@ std::string stop_text(const Scene& scene, const std::string& path, const SceneSt
     const std::string shifted = met == in.quantity(stop.gap, 6, "m")
                                     ? ""
                                     : ", met by the modes at " + met + " under the load";
-    return place + fmt::format("compliant{}: {}{} {}, parts where its {} is gone{}",
+    return place + fmt::format("compliant{}: {}{} {}, separates at zero {}{}",
                                stop.spring->is_residual ? " by the modes left out" : "",
                                as_written(scene, path + ".spring.stiffness", law.stiffness)
                                    .value_or(quantity_text(law.stiffness, 6, unit)),
@@ -371,8 +371,9 @@ std::string to_text(const CheckRecord& record, const TextOptions& options) {
                         in.quantity(1.0 / system.stops[i].row.squaredNorm(), 6, "kg"));
   text += requests_text(record.scene, system);
   if (record.closure_speed)
-    text += fmt::format("a chatter is summed once it is slower than {} (--closure-speed)\n",
-                        in.quantity(*record.closure_speed, 4, "m/s"));
+    text += fmt::format(
+        "closure speed {}: below it the rest of a chatter is computed at once (--closure-speed)\n",
+        in.quantity(*record.closure_speed, 4, "m/s"));
   if (record.collocation_condition > 0.0)
     text +=
         fmt::format("collocation matrix: condition number {:.4g}\n", record.collocation_condition);

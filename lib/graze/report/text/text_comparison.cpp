@@ -22,7 +22,7 @@ std::string number(const std::optional<double>& value, int digits = 6) {
 std::string motions_text(const ComparisonRecord& record, const TextOptions& options) {
   const TextUnits in(record.info.units);
   Table table({"motion", "settles on", in.head("first impact", "s"), in.head("its speed", "m/s"),
-               in.head("mean energy", "J"), in.head("taken by stops", "J/period")});
+               in.head("mean energy", "J"), in.head("lost at the stops", "J/period")});
   for (std::size_t i = 0; i < record.motions.size(); ++i) {
     const ComparedMotion& motion = record.motions[i];
     std::optional<double> time, speed;
@@ -30,7 +30,7 @@ std::string motions_text(const ComparisonRecord& record, const TextOptions& opti
       time = motion.first.front().time;
       speed = motion.first.front().speed;
     }
-    table.add({record.names[i], attractor_label(motion.attractor), number(time, 9), number(speed),
+    table.add({record.names[i], attractor_title(motion.attractor), number(time, 9), number(speed),
                number(motion.energy), number(motion.taken)});
   }
   return table.text(options.width);
@@ -39,7 +39,7 @@ std::string motions_text(const ComparisonRecord& record, const TextOptions& opti
 // The differences of each motion from the previous one.
 std::string differences_text(const ComparisonRecord& record, const TextOptions& options) {
   Table table({"difference", "first impacts that agree", "first impact (periods)", "its speed (%)",
-               "displacement (%)", "velocity (%)", "mean energy (%)", "taken by stops (%)"});
+               "displacement (%)", "velocity (%)", "mean energy (%)", "lost at the stops (%)"});
   for (std::size_t i = 0; i < record.differences.size(); ++i) {
     const MotionDifference& difference = record.differences[i];
     const auto percent = [](std::optional<double> part) {

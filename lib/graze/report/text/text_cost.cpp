@@ -46,7 +46,7 @@ std::string closure_text(const CostRecord& record, const TextOptions& options) {
   if (record.closure.rows.empty())
     return record.closure.message.empty()
                ? ""
-               : fmt::format("\nSumming chatters: {}\n", record.closure.message);
+               : fmt::format("\nClosure speed: {}\n", record.closure.message);
   const std::string per = unit_of_motion(record);
   const TextUnits in(record.info.units);
   Table table({in.head("closure speed", "m/s"), in.head("error of impacts", "s"), "time" + per,
@@ -55,8 +55,8 @@ std::string closure_text(const CostRecord& record, const TextOptions& options) {
     table.add({digits_text(row.speed, 3), error_text(row.compared.error),
                time_text(row.seconds_per_period), digits_text(row.impacts_per_period, 4),
                agreement_text(row.compared)});
-  std::string text =
-      "\nSumming chatters, against impacts followed to the end\n" + table.text(options.width);
+  std::string text = "\nClosure speed, against impacts simulated to the end of a chatter\n" +
+                     table.text(options.width);
   if (!record.closure.message.empty()) text += record.closure.message + "\n";
   return text;
 }

@@ -60,8 +60,8 @@ std::string to_text(const LociRecord& record, const TextOptions& options) {
     text += fmt::format("{} evaluations of the shooting equations\n", traced.shooting_evaluations);
   if (traced.slices > 0)
     text +=
-        "note: a locus that crosses none of the slices and meets no other is not found; --slices "
-        "looks closer\n";
+        "note: a locus that crosses no slice and meets no other locus is not found; more --slices "
+        "find more\n";
   if (record.regions && traced.loci.empty()) text += "note: no locus was met\n";
   if (record.regions) text += "\n" + regions_text(record, options);
   return text + ending(record.outcome);

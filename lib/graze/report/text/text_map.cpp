@@ -28,7 +28,7 @@ std::string to_text(const MapRecord& record, const TextOptions& options) {
     if (is_folded[i])
       folded.add(one.cells);
     else
-      table.add({attractor_name(map, i), std::to_string(one.cells), share_text(one.cells, all),
+      table.add({attractor_title(map, i), std::to_string(one.cells), share_text(one.cells, all),
                  digits_text(map.options.x_at(one.first), 8),
                  digits_text(map.options.y_at(one.first), 8)});
   }

@@ -48,7 +48,7 @@ std::string list_of(const LociRecord& record, const std::vector<OrbitAtPlace>& o
                         place.second, what);
   }
   if (shown < orbits.size())
-    text += fmt::format("note: so at {} places more\n", orbits.size() - shown);
+    text += fmt::format("note: the same at {} more places\n", orbits.size() - shown);
   return text;
 }
 
@@ -68,7 +68,7 @@ std::string boundaries_text(const LociRecord& record) {
                         a.value, a.second, b.value, b.second);
   }
   if (shown < boundaries.open.size())
-    text += fmt::format("note: so for {} pairs more\n", boundaries.open.size() - shown);
+    text += fmt::format("note: the same for {} more pairs\n", boundaries.open.size() - shown);
   return text;
 }
 
@@ -78,28 +78,27 @@ std::string regions_text(const LociRecord& record, const TextOptions& options) {
   const StableRegions& regions = *record.regions;
   std::string text = table_of(record, options) + "\n";
   text += fmt::format(
-      "{} by {} places; what is smaller than {} by {} may be missed, and what neither the closed "
-      "form nor a simulation leads to\n",
+      "{} by {} places; regions smaller than {} by {} may be missed, and so may orbits that "
+      "neither the closed form nor a simulation leads to\n",
       regions.columns, regions.rows, quantity_text(regions.cell, 4, record.unit),
       quantity_text(regions.second_cell, 4, record.second_unit));
   if (options.verbose)
-    text +=
-        fmt::format("{} motions were followed, and handed on from place to place in {} rounds\n",
-                    regions.simulated, regions.rounds);
+    text += fmt::format(
+        "{} motions were simulated; {} rounds of exchange between neighbouring places\n",
+        regions.simulated, regions.rounds);
   text += fmt::format(
-      "{} motions started beside a stable orbit: {} settled on it, {} came back too "
-      "slowly "
-      "to be sure, {} left it\n",
+      "{} stable orbits tested by a motion started beside them: {} settled on the orbit, {} "
+      "approached too slowly to decide, {} left it\n",
       regions.confirmed + regions.undecided + static_cast<long long>(regions.refuted.size()),
       regions.confirmed, regions.undecided, regions.refuted.size());
   if (regions.searched > 0)
     text += fmt::format(
-        "{} of those that settled on a ({},{}) orbit are on one that the closed form had not "
+        "{} of the motions that settled on a ({},{}) orbit are on one that the closed form had not "
         "given\n",
         regions.missed.size(), regions.period, regions.impacts);
   if (record.boundaries) text += boundaries_text(record);
   text += list_of(record, regions.refuted,
-                  "is stable by its multipliers, but a motion beside it left it");
+                  "is stable by its multipliers, but a motion started beside it left it");
   text += list_of(record, regions.missed, "was found by simulation, not by the closed form");
   return text;
 }

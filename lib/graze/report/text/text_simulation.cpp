@@ -65,7 +65,7 @@ std::string energy_text(const System& system, const EnergyBalance& balance,
   add("+ work of dry friction", entries.friction);
   add("- dissipation", entries.dissipation);
   add("= energy at the end", balance.now);
-  return text + fmt::format("{:<24} {:>15}{}, {} of the largest entry\n", "missing",
+  return text + fmt::format("{:<24} {:>15}{}, {} of the largest entry\n", "error of the balance",
                             power_text(balance.defect(), 2), in,
                             power_text(relative_defect(balance), 1));
 }
@@ -80,7 +80,7 @@ std::string totals_text(const SimulationRecord& record) {
   add("simulated until", in.quantity(run.end_time, 9, "s"));
   if (!record.system.stops.empty()) {
     add("impacts", std::to_string(run.totals.impacts));
-    add("chatters summed", std::to_string(run.totals.chatters));
+    add("complete chatters", std::to_string(run.totals.chatters));
     add("stuck time", in.quantity(run.totals.stuck_time, 6, "s"));
     add("energy lost at impacts", in.quantity(run.totals.energy_lost, 6, "J"));
     add("energy added at impacts", in.quantity(run.totals.energy_added, 6, "J"));
@@ -88,12 +88,12 @@ std::string totals_text(const SimulationRecord& record) {
   if (!record.system.frictions.empty()) {
     add("slips", std::to_string(run.totals.slips));
     add("reversals", std::to_string(run.totals.reversals));
-    add(record.system.frictions.size() == 1 ? "sticking time" : "all stick for",
+    add(record.system.frictions.size() == 1 ? "sticking time" : "time all friction sticks",
         in.quantity(run.totals.sticking_time, 6, "s"));
   }
   if (run.totals.smallest_gap) add("smallest gap", in.quantity(*run.totals.smallest_gap, 6, "m"));
   for (const int stop : run.stuck)
-    add("held at the end by",
+    add("at rest at the end on",
         fmt::format("stop {}, force {}", stop + 1,
                     in.quantity(run.forces[static_cast<std::size_t>(stop)], 6, "N")));
   if (record.section)

@@ -26,8 +26,7 @@ std::string approaching_note(const Sweep& swept) {
   if (count == 0) return "";
   return fmt::format(
       "note: at {} value{} the motion repeats but is not known to be within {:g} of its orbit "
-      "after "
-      "{} periods{}; more --periods bring it nearer or show that it goes elsewhere\n",
+      "after {} periods{}; more --periods decide whether it settles there\n",
       count, count == 1 ? "" : "s", swept.options.nearness, swept.options.periods,
       farthest > 0.0 ? fmt::format(" (up to {:.1g} away)", farthest) : "");
 }
@@ -60,7 +59,7 @@ std::string ranges_text(const DiagramRecord& record, const TextOptions& options)
   const std::vector<AttractorRange> ranges = attractor_ranges(swept.rows);
   std::map<std::string, std::size_t> values;  // by what the motion settles on
   for (const AttractorRange& range : ranges)
-    values[attractor_label(range.attractor)] += range.last - range.first + 1;
+    values[attractor_title(range.attractor)] += range.last - range.first + 1;
   std::vector<std::size_t> sizes;
   for (const auto& [label, count] : values) sizes.push_back(count);
   const std::size_t all = swept.rows.size();
@@ -69,7 +68,7 @@ std::string ranges_text(const DiagramRecord& record, const TextOptions& options)
   for (std::size_t i = 0; const auto& [label, count] : values)
     if (is_folded[i++]) folded.add(count);
   for (const AttractorRange& range : ranges) {
-    const std::string label = attractor_label(range.attractor);
+    const std::string label = attractor_title(range.attractor);
     if (is_folded[static_cast<std::size_t>(std::distance(values.begin(), values.find(label)))])
       continue;
     std::vector<std::string> row = {digits_text(swept.rows[range.first].value, 8),

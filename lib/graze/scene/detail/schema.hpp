@@ -310,12 +310,12 @@ void describe(auto& v, Of<Solver> auto& solver, const Scene&) {
           "and with a `[hub]` `bulirsch-stoer`, extrapolation to 1e-14 a step"}
           .or_else(),
       solver.flow, kFlows);
-  v.number(Key{"tolerance", "", kWithinOne,
-               "error of a step of `dopri5` and `fehlberg78` without `step`, relative to the speed "
-               "of the motion; with any flow it sets the speed below which a chatter is summed "
-               "(`--closure-speed`)"}
-               .or_else(),
-           solver.tolerance);
+  v.number(
+      Key{"tolerance", "", kWithinOne,
+          "error of a step of `dopri5` and `fehlberg78` without `step`, relative to the speed of "
+          "the motion; with any flow it sets the closure speed of chatters (`--closure-speed`)"}
+          .or_else(),
+      solver.tolerance);
   v.number(Key{"step", "s", kPositive,
                "length of all steps; needed with `rk4`, possible with `dopri5` and `fehlberg78`, "
                "refused with the others. Steps at which the quickest mode would grow without bound "

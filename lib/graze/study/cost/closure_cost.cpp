@@ -69,7 +69,7 @@ ClosureCosts closure_costs(const System& system, const State& start,
   if (!costs.rows.empty() && !costs.rows.back().compared.impacts_agree)
     costs.message = fmt::format(
         "rounding alone changes some of the {} impacts before the first chatter and after it, so "
-        "what summing adds cannot be told",
+        "that the error of the closure speed is not known",
         comparison.impacts());
   return costs;
 }

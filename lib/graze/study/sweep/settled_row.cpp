@@ -60,7 +60,7 @@ SettleOptions settle_options(const Scene& scene, const System& system, const Row
   settling.nearness = options.nearness;
   settling.tail = options.samples;
   settling.stop = options.stop;
-  if (row.start == SweepStart::kHandedOn) settling.from = "the state handed on";
+  if (row.start == SweepStart::kHandedOn) settling.from = "the final state of the value before";
   return settling;
 }
 
