@@ -126,6 +126,27 @@ TEST(FrictionBranch, EndsWhereARestIsAboutToBreak) {
   EXPECT_NEAR(peak_of_rest(*family.at(end.value), end.orbit, 0.4), 0.5, 1e-9);
 }
 
+// A mass behind a Jenkins element no longer slips where its spring, as one of the structure, pulls
+// with less than the friction: k/|K + k - W^2 + i c W| = L.
+TEST(FrictionBranch, EndsWhereASpringInSeriesNoLongerSlips) {
+  const double k = 2.0, damping = 0.02, limit = 0.8;
+  const OrbitBranches found =
+      traced(oscillator(damping,
+                        "[forcing]\nkind = \"point\"\nmass = 1\namplitude = 1.0\n"
+                        "frequency = 1.2\n[[friction]]\nmass = 1\nforce = 0.8\n"
+                        "series = 2.0\n"),
+             "forcing.frequency", 0.5, 2.0, 1);
+  ASSERT_EQ(found.branches.size(), 1u);
+  double low = 0.5, high = 1.0;
+  for (int i = 0; i < 100; ++i) {
+    const double w = 0.5 * (low + high);
+    (k / std::hypot(1.0 + k - w * w, damping * w) < limit ? low : high) = w;
+  }
+  const OrbitBranch& branch = found.branches[0];
+  EXPECT_EQ(branch.ends[0], OrbitBranchEnd::kSliding);
+  EXPECT_NEAR(branch.points.front().value, low, 1e-7);
+}
+
 std::string on_belt(double speed) {
   return "[[friction]]\nmass = 1\nforce = 1.0\nstatic_force = 1.5\nspeed = " +
          std::to_string(speed);

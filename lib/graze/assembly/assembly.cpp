@@ -49,9 +49,12 @@ Stop stop_tangent(const SceneStop& stop, const SceneStop& rate, const Stop& asse
   return {row_rate, rate.gap, ImpactLaw{direction_rate, Restitution(rate.restitution)}};
 }
 
-Friction assemble_friction(const DryFriction& friction, const Vector& shape) {
-  return {shape,          momentum_direction(shape), friction.sliding(), friction.sticking(),
-          friction.speed, friction.stop - 1};
+// `spring`: along the spring in series; empty without.
+Friction assemble_friction(const DryFriction& friction, const Vector& shape, const Vector& spring) {
+  Friction made{shape,          momentum_direction(shape), friction.sliding(), friction.sticking(),
+                friction.speed, friction.stop - 1};
+  if (spring.size() > 0) made.series = {friction.series, spring, -made.direction};
+  return made;
 }
 
 // What friction acts on must be independent: how friction that is statically indeterminate shares
@@ -104,7 +107,8 @@ System assemble(const Scene& scene, const ModalModel& model) {
     system.stops.push_back(assemble_stop(scene, scene.stops[i], model.shapes[i], model.collocation,
                                          residual.empty() ? ResidualSpring{} : residual[i]));
   for (std::size_t k = 0; k < scene.frictions.size(); ++k)
-    system.frictions.push_back(assemble_friction(scene.frictions[k], model.frictions[k]));
+    system.frictions.push_back(
+        assemble_friction(scene.frictions[k], model.frictions[k], model.springs[k]));
   check_independent(scene, system);
   return system;
 }
@@ -142,6 +146,9 @@ System system_tangent(const Scene& scene, const Scene& direction, const ModalMod
         {rate.frictions[k], momentum_direction_rate(system.frictions[k].row, rate.frictions[k]),
          friction.sliding_rate(moved), friction.sticking_rate(moved), moved.speed,
          friction.stop - 1});
+    if (rate.springs[k].size() > 0)
+      tangent.frictions.back().series = {moved.series, rate.springs[k],
+                                         -tangent.frictions.back().direction};
   }
   return tangent;
 }

@@ -223,7 +223,9 @@ State given_start(const Scene& scene) {
   const auto modal = [&](const std::vector<double>& own, const std::vector<double>& coordinates) {
     if (coordinates.empty()) return as_vector(own);
     if (scene.span()) return modal_coordinates(scene, initial.positions, coordinates);
-    return Vector(scene.discrete()->solved->momenta * as_vector(coordinates));
+    return Vector(
+        scene.discrete()->solved->momenta.leftCols(static_cast<Eigen::Index>(coordinates.size())) *
+        as_vector(coordinates));
   };
   State state{modal(initial.q, initial.displacement), modal(initial.qdot, initial.velocity)};
   if (initial.speed) state.qdot += *initial.speed * uniform_motion(scene);
@@ -267,6 +269,10 @@ State initial_state(const Scene& scene, const System& system) {
     state.q = *q;
   }
   if (system.carried()) state = seen_from_stops(system, state);
+  // Springs in series with friction pull with nothing at first.
+  for (const Friction& friction : system.frictions)
+    if (friction.series)
+      state.q -= friction.series->direction * friction.series->row.dot(state.q);
   for (std::size_t i = 0; i < system.stops.size(); ++i) {
     const Stop& stop = system.stops[i];
     const GapValue<double> gap = gap_value<double>(stop.row, state.q, stop.gap);

@@ -21,7 +21,7 @@ bool couples_modes(const Scene& scene, const std::vector<std::string>& parameter
              modal_tangent(scene, model, parameter_direction(scene, name)).coupling.size() > 0;
     });
   } catch (const InputError&) {
-    return !discrete_matrices(scene).damping.isZero(0.0);  // without a derivative there
+    return !discrete_matrices(scene, scene).damping.isZero(0.0);  // without a derivative there
   }
 }
 

@@ -32,7 +32,7 @@ void friction_forces(const System& system, const ContactPhase<double>& phase, do
     if (contact == Contact::kBackward) forces[k] = -force;
   }
   for (const int i : phase.closed())
-    if (system.is_friction(i))
+    if (system.is_friction(i) && !system.follows(i))
       forces[static_cast<std::size_t>(i) - system.stops.size()] =
           phase.force_at(i, s, state.q, state.qdot);
 }

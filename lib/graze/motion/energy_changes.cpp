@@ -6,8 +6,22 @@
 
 namespace graze {
 
+namespace {
+
+// Twice the kinetic energy of what rubs behind springs, by products of two velocities: it has no
+// mass, its coordinate has.
+double of_no_mass(const System& system, const Vector& a, const Vector& b) {
+  double sum = 0.0;
+  for (const Friction& friction : system.frictions)
+    if (friction.series) sum += friction.row.dot(a) * friction.direction.dot(b);
+  return sum;
+}
+
+}  // namespace
+
 double mechanical_energy(const System& system, const Vector& q, const Vector& qdot) {
-  const double energy = 0.5 * (qdot.squaredNorm() + system.omega.cwiseProduct(q).squaredNorm());
+  const double energy = 0.5 * (qdot.squaredNorm() + system.omega.cwiseProduct(q).squaredNorm() -
+                               of_no_mass(system, qdot, qdot));
   if (!system.turns()) return energy;
   const double rate = system.rotation()->angle.dot(qdot);
   return energy + 0.5 * added_inertia(*system.rotation(), q) * rate * rate;
@@ -21,7 +35,8 @@ double structure_energy(const System& system, const State& state, double theta) 
 
 double kinetic_change(const System& system, const Vector& q, const Vector& before,
                       const Vector& after) {
-  const double change = 0.5 * (after - before).dot(after + before);
+  const double change = 0.5 * ((after - before).dot(after + before) -
+                               of_no_mass(system, after - before, after + before));
   if (!system.turns()) return change;
   const Vector& row = system.rotation()->angle;
   return change + 0.5 * added_inertia(*system.rotation(), q) * row.dot(after - before) *

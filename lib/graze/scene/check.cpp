@@ -14,6 +14,7 @@
 #include "graze/scene/detail/section_numbers.hpp"
 #include "graze/scene/detail/span_checks.hpp"
 #include "graze/scene/detail/table_checks.hpp"
+#include "graze/scene/discrete_matrices.hpp"
 #include "graze/scene/matrix_structure.hpp"
 #include "graze/scene/suggestion.hpp"
 #include "graze/scene/value_checker.hpp"
@@ -151,7 +152,8 @@ void check_start(const Scene& scene) {
   for (const auto& [key, list] : {std::pair("initial.displacement", &initial.displacement),
                                   std::pair("initial.velocity", &initial.velocity)}) {
     const std::size_t count =
-        scene.discrete() ? static_cast<std::size_t>(scene.discrete()->solved->momenta.cols())
+        has_own_matrices(scene) ? static_cast<std::size_t>(own_coordinates(scene))
+        : scene.discrete() ? static_cast<std::size_t>(scene.discrete()->solved->momenta.cols())
                          : initial.positions.size();
     if (!list->empty() && !scene.discrete() && count == 0)
       throw scene_error(scene, "initial.positions",

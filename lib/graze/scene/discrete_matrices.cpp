@@ -28,6 +28,43 @@ void add_between(Matrix& matrix, const std::array<int, 2>& ends, double value) {
   matrix(ends[1], ends[0]) -= value;
 }
 
+// The displacement at which friction acts, by the degrees of freedom.
+Vector row_of(const Scene& scene, const DryFriction& friction, Index n) {
+  Vector row = Vector::Zero(n);
+  const auto add = [&](const std::string& text, double sign) {
+    if (text.empty()) return;
+    const std::optional<int> at = scene.lumped() ? mass_named(*scene.lumped(), text)
+                                                 : std::optional(std::atoi(text.c_str()) - 1);
+    if (at && *at >= 0 && *at < n) row[*at] += sign;
+  };
+  add(friction.node, 1.0);
+  add(friction.against, -1.0);
+  return row;
+}
+
+// With the springs beside friction, and with a coordinate for each spring in series: what rubs, by
+// its displacement z against the ground or the other place. It is at rest or follows its place, so
+// that its mass does not matter: it has that of the place.
+DiscreteMatrices with_friction(const Scene& scene, const Scene& numbers, DiscreteMatrices all) {
+  for (std::size_t k = 0; k < scene.frictions.size(); ++k) {
+    const DryFriction &friction = scene.frictions[k], &number = numbers.frictions[k];
+    Index n = all.mass.rows();
+    Vector row = row_of(scene, friction, n);
+    all.stiffness += number.parallel * row * row.transpose();
+    if (friction.series == 0.0) continue;
+    for (Matrix* matrix : {&all.mass, &all.damping, &all.stiffness}) {
+      matrix->conservativeResize(n + 1, n + 1);
+      matrix->row(n).setZero();
+      matrix->col(n).setZero();
+    }
+    all.mass(n, n) = row.cwiseAbs2().dot(all.mass.diagonal().head(n));
+    row.conservativeResize(n + 1);
+    row[n] = -1.0;
+    all.stiffness += number.series * row * row.transpose();
+  }
+  return all;
+}
+
 DiscreteMatrices of_masses(const LumpedStructure& lumped) {
   const auto n = static_cast<Index>(lumped.masses.size());
   DiscreteMatrices all{Matrix::Zero(n, n), Matrix::Zero(n, n), Matrix::Zero(n, n)};
@@ -125,12 +162,27 @@ bool has_own_matrices(const Scene& scene) {
   return scene.lumped() || (matrices && !matrices->mass_entries.empty());
 }
 
-DiscreteMatrices discrete_matrices(const Scene& scene) {
-  if (scene.lumped()) return of_masses(*scene.lumped());
-  const MatrixStructure& matrices = *scene.matrices();
+DiscreteMatrices discrete_matrices(const Scene& scene, const Scene& numbers) {
+  if (numbers.lumped()) return with_friction(scene, numbers, of_masses(*numbers.lumped()));
+  const MatrixStructure& matrices = *numbers.matrices();
   const auto n = static_cast<Index>(matrices.mass_entries.size());
-  return {of_rows(matrices.mass_entries, n, true), of_rows(matrices.damping_entries, n, false),
-          of_rows(matrices.stiffness_entries, n, true)};
+  return with_friction(
+      scene, numbers,
+      {of_rows(matrices.mass_entries, n, true), of_rows(matrices.damping_entries, n, false),
+       of_rows(matrices.stiffness_entries, n, true)});
+}
+
+int own_coordinates(const Scene& scene) {
+  return static_cast<int>(scene.lumped() ? scene.lumped()->masses.size()
+                                         : scene.matrices()->mass_entries.size());
+}
+
+DofLabel label_of_rubbing(const Scene& scene, std::size_t friction) {
+  const auto before = scene.frictions.begin() + static_cast<std::ptrdiff_t>(friction);
+  return {own_coordinates(scene) + 1 +
+              std::count_if(scene.frictions.begin(), before,
+                            [](const DryFriction& other) { return other.series > 0.0; }),
+          kOfNoPlace};
 }
 
 std::optional<int> mass_named(const LumpedStructure& lumped, const std::string& text) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "graze/base/vector.hpp"
+#include "graze/fem/dof_label.hpp"
 #include "graze/scene/scene.hpp"
 
 namespace graze {
@@ -19,9 +20,17 @@ struct DiscreteMatrices {
 // Whether they stand in the scene, and not in files.
 bool has_own_matrices(const Scene& scene);
 
-// They are linear in the numbers of the scene: of a direction (parameter_direction) they are the
-// rates. Requires a scene that has them, and passed check_discrete.
-DiscreteMatrices discrete_matrices(const Scene& scene);
+// They are linear in the numbers: of a direction of the scene (parameter_direction) they are the
+// rates. A spring in series with friction adds a coordinate, behind those of the scene. Requires a
+// scene that has them, and passed check_discrete.
+DiscreteMatrices discrete_matrices(const Scene& scene, const Scene& numbers);
+
+// How many masses or rows the scene has itself.
+int own_coordinates(const Scene& scene);
+// The coordinate of what rubs behind a spring in series, of this friction (from 0); its direction
+// is none of those that uniform motions have.
+inline constexpr int kOfNoPlace = 9;
+DofLabel label_of_rubbing(const Scene& scene, std::size_t friction);
 
 // The mass that a text names, from 0: its number, from 1, or its name; -1: the ground, "0" or
 // "ground". Returns nullopt where there is none of that name.

@@ -44,6 +44,29 @@ void check_friction_at_stop(const ValueChecker& checker, const Scene& scene,
 
 }  // namespace
 
+// What springs beside friction, and in series with it, need.
+void check_friction_springs(const ValueChecker& checker, const Scene& scene,
+                            const DryFriction& friction) {
+  const char* key = friction.series > 0.0 ? "series" : "parallel";
+  if (!has_own_matrices(scene))
+    checker.fail(key,
+                 "it needs a structure of [lumped], or of [matrices] in the scene, whose "
+                 "modes it changes; it must be left out");
+  if (friction.series == 0.0) return;
+  if (friction.speed != 0.0 || friction.stop != 0 || friction.sticking() != friction.sliding())
+    checker.fail(key,
+                 "behind a spring friction has one force, against the ground or another place "
+                 "that carries it along (against); speed, stop and those at rest must be left "
+                 "out");
+  if (scene.discrete()->modes != 0)
+    throw scene_error(scene, fmt::format("{}.modes", scene.structure_name()),
+                      "a spring in series with friction needs all modes, it must be left out");
+  if (scene.damping)
+    throw scene_error(scene, "damping",
+                      "damping of modes would act on what rubs behind a spring, which has no mass; "
+                      "dashpots or a damping matrix must be in its place");
+}
+
 void check_frictions(const Scene& scene) {
   if (scene.frictions.empty()) return;
   if (scene.hub)
@@ -88,6 +111,8 @@ void check_frictions(const Scene& scene) {
     if (friction.coefficient && friction.stop == 0 && !friction.normal_force)
       checker.fail("normal_force", "the key is missing, it must be given, or stop");
     if (friction.stop != 0) check_friction_at_stop(checker, scene, friction);
+    if (friction.series > 0.0 || friction.parallel > 0.0)
+      check_friction_springs(checker, scene, friction);
     if (friction.sticking() < friction.sliding())
       checker.fail(friction.static_force ? "static_force" : "static_coefficient",
                    fmt::format("it gives {} at rest and {} in sliding, it must be at least as much "

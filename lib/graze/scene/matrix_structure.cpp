@@ -40,6 +40,9 @@ class PointRows {
       : scene_(scene), structure_(structure), mesh_(mesh) {}
 
   Eigen::Index size() const { return structure_.size(); }
+  Vector row(const DofLabel& label) const {
+    return Vector::Unit(structure_.size(), *structure_.find(label));
+  }
   // `table`: that of the point, "stop.2".
   Vector row(const std::string& table, const auto& point) const {
     Vector row = Vector::Zero(structure_.size());
@@ -175,8 +178,15 @@ Matrix acting_points(const Scene& scene, const PointRows& rows, const MatrixMode
     list.push_back(rows.row(numbered_path("stop", i + 1), scene.stops[i]));
   for (std::size_t i = 0; i < scene.loads.size(); ++i)
     list.push_back(rows.row(numbered_path("load", i + 1), scene.loads[i]));
-  for (std::size_t i = 0; i < scene.frictions.size(); ++i)
-    list.push_back(rows.row(numbered_path("friction", i + 1), scene.frictions[i]));
+  for (std::size_t i = 0; i < scene.frictions.size(); ++i) {
+    Vector place = rows.row(numbered_path("friction", i + 1), scene.frictions[i]);
+    if (scene.frictions[i].series > 0.0) {
+      const Vector rubs = rows.row(label_of_rubbing(scene, i));
+      list.push_back(rubs);
+      place -= rubs;
+    }
+    list.push_back(std::move(place));
+  }
   std::size_t number = 0, support = 0;
   for (const HarmonicLoad* load : scene.harmonic_loads())
     if (++number; load->has_place())
@@ -233,11 +243,13 @@ StructuralMatrices matrices_of_files(const Scene& scene, const Mesh& mesh) {
 
 StructuralMatrices matrices_of_scene(const Scene& scene, const Mesh& mesh) {
   check_discrete(scene);
-  const DiscreteMatrices own = discrete_matrices(scene);
+  const DiscreteMatrices own = discrete_matrices(scene, scene);
   const bool lumped = scene.lumped() != nullptr;
+  std::vector<DofLabel> labels = numbered_labels(own_coordinates(scene));
+  for (std::size_t k = 0; k < scene.frictions.size(); ++k)
+    if (scene.frictions[k].series > 0.0) labels.push_back(label_of_rubbing(scene, k));
   const auto labelled = [&](const char* name, const Matrix& matrix) {
-    return LabelledMatrix{
-        name, matrix.sparseView(), numbered_labels(static_cast<int>(matrix.rows())), false, {}};
+    return LabelledMatrix{name, matrix.sparseView(), labels, false, {}};
   };
   const LabelledMatrix damping =
       labelled(lumped ? "lumped.spring.damping" : "matrices.damping", own.damping);
@@ -295,7 +307,10 @@ void give_modes(Scene& scene, const PointRows& rows, const MatrixModes& found) {
   const auto next_shape = [&] { return as_list(shapes.transpose() * found.points.col(column++)); };
   for (SceneStop& stop : scene.stops) stop.shape = next_shape();
   for (PointLoad& load : scene.loads) load.shape = next_shape();
-  for (DryFriction& friction : scene.frictions) friction.shape = next_shape();
+  for (DryFriction& friction : scene.frictions) {
+    friction.shape = next_shape();
+    if (friction.series > 0.0) friction.spring_shape = next_shape();
+  }
   if (scene.forcing && scene.forcing->has_place()) scene.forcing->at.shape = next_shape();
   for (HarmonicLoad& load : scene.further)
     if (load.has_place()) load.at.shape = next_shape();

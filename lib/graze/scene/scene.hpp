@@ -161,6 +161,9 @@ struct DryFriction : StructurePoint {
   std::optional<double> static_force, static_coefficient;  // up to which it sticks; as sliding
   double speed = 0.0;                                      // m/s along +u, of a belt
   int stop = 0;  // number of a stop, from 1, whose spring presses there; 0: none
+  double parallel = 0.0, series = 0.0;  // N/m, of springs beside it, and between it and its place
+  // Of the spring in series on the modes, as its point's; empty without.
+  std::vector<double> spring_shape{};
 
   // N; at a stop parts of the force of its spring.
   double sliding() const {

@@ -47,7 +47,8 @@ class RatedShapes {
       all_ = lowest_modes(structural_matrices(scene, {}), found_.free_count());
     // The lowest are those kept, with the same signs.
     if (all_.count() > 0) all_.shapes.leftCols(kept_.count()) = kept_.shapes;
-    const DiscreteMatrices rates = discrete_matrices(direction), own = discrete_matrices(scene);
+    const DiscreteMatrices rates = discrete_matrices(scene, direction),
+                           own = discrete_matrices(scene, scene);
     rates_ = rates;
     mass_rate_ = free_part(rates.mass, found_);
     damping_rate_ = free_part(rates.damping, found_);

@@ -171,7 +171,10 @@ ModalModel given_numbers(const Scene& scene, const Scene& of) {
   if (scene.gravity) model.inertia = as_vector(modal.inertia);
   for (const SceneStop& stop : of.stops) model.shapes.emplace_back(as_vector(stop.shape));
   for (const PointLoad& load : of.loads) model.loads.emplace_back(as_vector(load.shape));
-  for (const DryFriction& at : of.frictions) model.frictions.emplace_back(as_vector(at.shape));
+  for (const DryFriction& at : of.frictions) {
+    model.frictions.emplace_back(as_vector(at.shape));
+    model.springs.emplace_back(as_vector(at.spring_shape));
+  }
   return model;
 }
 
@@ -226,8 +229,10 @@ ModalModel discrete_tangent(const Scene& scene, const ModalModel& model, const S
   Eigen::Index next = 0;
   for (std::size_t i = 0; i < scene.stops.size(); ++i) rate.shapes.push_back(of_point(next++));
   for (std::size_t i = 0; i < scene.loads.size(); ++i) rate.loads.push_back(of_point(next++));
-  for (std::size_t i = 0; i < scene.frictions.size(); ++i)
+  for (const DryFriction& friction : scene.frictions) {
     rate.frictions.push_back(of_point(next++));
+    rate.springs.push_back(friction.series > 0.0 ? of_point(next++) : Vector());
+  }
   const int along = scene.matrices() ? scene.matrices()->direction : 0;
   if (scene.gravity) rate.inertia = rates.inertia.at(along);
   const std::vector<Matrix> forces = support_forces(scene);
@@ -303,6 +308,7 @@ ModalModel modal_model(const Scene& scene) {
   for (const PointLoad& load : scene.loads) model.loads.push_back(shapes_of(modes, load.position));
   for (const DryFriction& at : scene.frictions)
     model.frictions.push_back(shapes_of(modes, at.position));
+  model.springs.resize(scene.frictions.size());
   if (const auto* found = std::get_if<ElementModes>(&modes)) model.elements = found->accuracy();
   return model;
 }

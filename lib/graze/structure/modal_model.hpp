@@ -32,6 +32,7 @@ struct ModalModel {
   std::vector<Vector> shapes;  // phi_j at each stop, kg^-1/2, N each
   std::vector<Vector> loads;   // phi_j at each constant force, kg^-1/2, N each
   std::vector<Vector> frictions;  // at each dry friction, likewise
+  std::vector<Vector> springs;    // along each spring in series with one; empty where there is none
   Matrix collocation;          // Phi_ij = phi_j(x_i), N x N; empty where nothing collocates
   // nullopt when the modes have a closed form or are given.
   std::optional<ElementAccuracy> elements;

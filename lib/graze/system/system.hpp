@@ -28,8 +28,8 @@
 
 namespace graze {
 
-// cosine cos(order theta) + sine sin(order theta), N entries each; of a force, kg^1/2 m/s^2. Where a
-// course takes the place of the cosine, the sine is zero.
+// cosine cos(order theta) + sine sin(order theta), N entries each; of a force, kg^1/2 m/s^2. Where
+// a course takes the place of the cosine, the sine is zero.
 struct Harmonic {
   // A course over the time t = (theta - phase)/frequency.
   struct Timed {
@@ -100,6 +100,13 @@ struct Friction {
   double sliding = 0.0, sticking = 0.0;  // N, or parts
   double speed = 0.0;                    // m/s, of a belt that it acts from
   int stop = -1;                         // whose spring presses there; -1: none
+  // A spring between what rubs, which has no mass, and its place: its force is R. What rubs sticks
+  // until the spring pulls with R, and then follows its place.
+  struct Series {
+    double stiffness = 0.0;  // N/m
+    Vector row, direction;   // of the length of the spring, and by a force on what rubs
+  };
+  std::optional<Series> series{};
 };
 
 struct State {
@@ -132,18 +139,29 @@ struct System {
   std::vector<Friction> frictions{};
 
   int modes() const { return static_cast<int>(omega.size()); }
-  // Stops and frictions are counted together: friction k has the index stops.size() + k.
+  // Stops and frictions are counted together: friction k has the index stops.size() + k, and what
+  // rubs behind its spring while it follows its place index_of_following().
   bool is_friction(int index) const { return index >= static_cast<int>(stops.size()); }
+  bool follows(int index) const {
+    return index >= static_cast<int>(stops.size() + frictions.size());
+  }
+  int index_of_following(int friction) const {
+    return friction + static_cast<int>(frictions.size());
+  }
   const Friction& friction(int index) const {
-    return frictions[static_cast<std::size_t>(index) - stops.size()];
+    const std::size_t k = static_cast<std::size_t>(index) - stops.size();
+    return frictions[k < frictions.size() ? k : k - frictions.size()];
   }
   const Vector& row(int index) const {
-    return is_friction(index) ? friction(index).row : stops[static_cast<std::size_t>(index)].row;
+    return follows(index)       ? friction(index).series->row
+           : is_friction(index) ? friction(index).row
+                                : stops[static_cast<std::size_t>(index)].row;
   }
   // Along which what holds the structure there pushes it.
   const Vector& direction(int index) const {
-    return is_friction(index) ? friction(index).direction
-                              : stops[static_cast<std::size_t>(index)].direction();
+    return follows(index)       ? friction(index).series->direction
+           : is_friction(index) ? friction(index).direction
+                                : stops[static_cast<std::size_t>(index)].direction();
   }
   bool has_compliant_stop() const {
     return std::any_of(stops.begin(), stops.end(),
@@ -217,8 +235,8 @@ struct System {
   bool has_phase() const { return forcing() && forcing()->has_phase; }
 };
 
-// The structure's own state at forcing phase theta (rad), and that of the system, which differ where
-// stops move.
+// The structure's own state at forcing phase theta (rad), and that of the system, which differ
+// where stops move.
 State structure_state(const System& system, const State& state, double theta);
 State system_state(const System& system, const State& structure, double theta);
 

@@ -216,8 +216,9 @@ std::optional<BranchTip> ContactBoundaries::jump_beyond(const SolutionPoint& las
     const bool gains = beyond.rubbing.size() > tip->orbit.rubbing.size();
     return jump(*tip, kind_of_change(gains ? beyond : tip->orbit), last);
   }
-  if (!tip || !ends_as_a_tangent(tip->orbit)) return {};
-  return jump(*tip, SpecialKind::kGrazingSliding, last);
+  const std::optional<SpecialKind> ends = tip ? what_hardly_lasts(tip->orbit) : std::nullopt;
+  if (!ends) return {};
+  return jump(*tip, *ends, last);
 }
 
 // Approaches by secants of the margin, from one side; nullopt when they do not come near zero.

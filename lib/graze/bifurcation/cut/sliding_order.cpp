@@ -43,15 +43,15 @@ bool has_same_sliding(const Orbit& a, const Orbit& b) {
   return true;
 }
 
-// The fall vanishes with the root of the distance along a branch.
-bool ends_as_a_tangent(const Orbit& orbit) {
-  constexpr double kHardly = 1e-2;
-  return std::any_of(orbit.rubbing.begin(), orbit.rubbing.end(), [](const OrbitRubbing& event) {
-    return event.fall > 0.0 && event.fall < kHardly;
-  });
-}
+namespace {
 
-SpecialKind kind_of_change(const Orbit& orbit) {
+// The shortest piece of sliding or sticking, rad, and what it is that begins to exist with it.
+struct ShortestPiece {
+  double lasts = std::numeric_limits<double>::infinity();
+  SpecialKind kind = SpecialKind::kSwitchingSliding;
+};
+
+ShortestPiece shortest_piece(const Orbit& orbit) {
   double shortest = std::numeric_limits<double>::infinity();
   SpecialKind kind = SpecialKind::kSwitchingSliding;
   for (int k = 0; k < frictions_in(orbit); ++k) {
@@ -73,7 +73,22 @@ SpecialKind kind_of_change(const Orbit& orbit) {
                                                                   : SpecialKind::kSwitchingSliding;
     }
   }
-  return kind;
+  return {shortest, kind};
+}
+
+}  // namespace
+
+SpecialKind kind_of_change(const Orbit& orbit) { return shortest_piece(orbit).kind; }
+
+// Fall and piece vanish with the root of the distance along a branch.
+std::optional<SpecialKind> what_hardly_lasts(const Orbit& orbit) {
+  constexpr double kHardly = 1e-2;
+  const bool falls = std::any_of(
+      orbit.rubbing.begin(), orbit.rubbing.end(),
+      [](const OrbitRubbing& event) { return event.fall > 0.0 && event.fall < kHardly; });
+  if (falls) return SpecialKind::kGrazingSliding;
+  const ShortestPiece piece = shortest_piece(orbit);
+  return piece.lasts < kHardly ? std::optional(piece.kind) : std::nullopt;
 }
 
 }  // namespace graze

@@ -29,6 +29,12 @@ void Motion<Real>::adopt_frictions() {
                       row.squaredNorm(), nullptr, Real(friction.speed)});
     on_belts_ = on_belts_ || friction.speed != 0.0;
   }
+  for (const int i : frictions_) {
+    const int at = system_.friction(i).series ? system_.index_of_following(i) : i;
+    const RealVector<Real> row = system_.row(at).template cast<Real>();
+    stops_.push_back(
+        {row, system_.direction(at).template cast<Real>(), Real(0), row.norm(), Real(0), nullptr});
+  }
   watched_ = looked_at_;
   watched_.insert(watched_.end(), frictions_.begin(), frictions_.end());
 }
@@ -87,8 +93,46 @@ void Motion<Real>::note_rubbing() {
 
 template <class Real>
 void Motion<Real>::slide(int i, bool forward, int multiplicity) {
-  set(i, forward ? Contact::kForward : Contact::kBackward, multiplicity);
+  const bool follows = system_.friction(i).series.has_value();
+  set(i, forward ? Contact::kForward : Contact::kBackward, follows ? 0 : multiplicity);
   note_rubbing();
+  if (follows) follow(i);
+}
+
+// What rubs behind a spring that pulls with the whole force is as far from its place, and as fast.
+template <class Real>
+void Motion<Real>::follow(int i) {
+  const MetStop& spring = stop(system_.index_of_following(i));
+  now_.q += spring.direction * (Real(spring_length(i)) - spring.row.dot(now_.q));
+  now_.qdot -= spring.direction * spring.row.dot(now_.qdot);
+}
+
+// At a start: the spring pulls with no more than the friction, and what rubs is at rest unless its
+// place stretches the spring further. A start of that kind that was solved for misses the limit by
+// rounding; what is taken from the motion by beginning at it is of the square of that.
+template <class Real>
+void Motion<Real>::begin_series(int i) {
+  using std::abs;
+  const Friction& friction = system_.friction(i);
+  const MetStop& spring = stop(system_.index_of_following(i));
+  const Real pull = Real(friction.series->stiffness) * spring.row.dot(now_.q);
+  const Real speed = approach_speed(i) + spring.row.dot(now_.qdot);  // of its place
+  const Real limit = Real(friction.sliding);
+  const Real missed = std::sqrt(std::numeric_limits<double>::epsilon()) * limit;
+  const bool stretches = pull > 0 ? speed > 0 : speed < 0;
+  const bool slides = stretches && abs(pull) >= limit - missed;
+  if (slides || abs(pull) > limit) slide(i, pull > 0, 0);
+  if (!slides) stand(i);
+}
+
+// An impact moves the place alone.
+template <class Real>
+void Motion<Real>::judge_series(int i, Jumped what) {
+  if (contact(i) == Contact::kClear) return begin_series(i);
+  if (contact(i) == Contact::kClosed || what != Jumped::kVelocities) return;
+  follow(i);
+  const Real speed = approach_speed(i);
+  if (contact(i) == Contact::kForward ? !(speed > 0) : !(speed < 0)) stand(i);
 }
 
 // Bound on the rounding of a speed of sliding, also by that of the instant, m/s.
@@ -105,6 +149,10 @@ template <class Real>
 void Motion<Real>::judge_frictions(Jumped what) {
   for (const int i : frictions_) {
     if (!is_pressed(i)) continue;
+    if (system_.friction(i).series) {
+      judge_series(i, what);
+      continue;
+    }
     const Contact before = contact(i);
     const Real speed = approach_speed(i);
     if (what == Jumped::kVelocities &&
@@ -130,10 +178,17 @@ template <class Real>
 void Motion<Real>::stand(int i) {
   const Contact before = contact(i);
   if (before == Contact::kTouching) return;
-  set(i, Contact::kTouching,
-      before == Contact::kForward    ? kCameForward
-      : before == Contact::kBackward ? kCameBackward
-                                     : 0);
+  const int came = before == Contact::kForward    ? kCameForward
+                   : before == Contact::kBackward ? kCameBackward
+                                                  : 0;
+  if (system_.friction(i).series) {
+    // It is held by what its spring pulls with at this instant, its whole force.
+    now_.qdot -= stop(i).direction * approach_speed(i);
+    stick(i, held());
+    set(i, Contact::kClosed, came);
+    return;
+  }
+  set(i, Contact::kTouching, came);
   recheck_ = true;
   note_rubbing();
 }
@@ -228,8 +283,9 @@ std::optional<typename Motion<Real>::PushShares> Motion<Real>::share_pushes(
     const std::vector<int>& stops) {
   std::vector<int> standing, kept;
   for (const int i : frictions_)
-    if (contact(i) == Contact::kClosed || contact(i) == Contact::kLocked ||
-        contact(i) == Contact::kTouching)
+    if (!system_.friction(i).series &&
+        (contact(i) == Contact::kClosed || contact(i) == Contact::kLocked ||
+         contact(i) == Contact::kTouching))
       (is_independent(i, stops) ? standing : kept).push_back(i);
   // What leans on others is asked anew.
   for (const int i : standing)

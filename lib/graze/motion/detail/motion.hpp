@@ -126,6 +126,11 @@ class Motion {
   const ArcCurve<Real>& gap_ahead(int stop, const Real& window);
   // Force between structure and stop at the present instant, N; 0 where it is open.
   Real contact_force(int stop) { return is_closed(stop) ? force(stop) : spring_force(stop); }
+  // Whether what rubs behind a spring follows its place.
+  bool follows(int friction) const {
+    return system_.friction(friction).series && !is_closed(friction) &&
+           contact(friction) != Contact::kClear;
+  }
   // What dry friction exerts along -u at the present instant, N.
   Real friction_force(int friction) {
     if (is_closed(friction)) return force(friction);
@@ -310,6 +315,14 @@ class Motion {
            (contact(friction) == Contact::kLocked &&
             multiplicity(friction) == (forward ? kCameForward : kCameBackward));
   }
+  // Of the spring in series with friction that slides, m.
+  double spring_length(int friction) const {
+    const Friction& one = system_.friction(friction);
+    return (pushes(friction, true) ? one.sliding : -one.sliding) / one.series->stiffness;
+  }
+  void follow(int friction);
+  void begin_series(int friction);
+  void judge_series(int friction, Jumped what);
   void press_frictions(int stop, Contact before);
   RealVector<Real> pushing(int stop) const;
   void note_rubbing();

@@ -46,8 +46,9 @@ Motion<Real>::Motion(const System& system, const Instant<Real>& instant, const R
                      const RealVector<Real>& qdot, const std::optional<StepSetting>& steps)
     : system_(system), steps_(steps), clock_(system), linear_(linear_system<Real>(system)) {
   adopt_system();
-  now_ = {instant, q, qdot, std::vector<Contact>(stops_.size(), Contact::kClear),
-          std::vector<int>(stops_.size(), 0)};
+  const std::size_t contacts = system_.stops.size() + frictions_.size();
+  now_ = {instant, q, qdot, std::vector<Contact>(contacts, Contact::kClear),
+          std::vector<int>(contacts, 0)};
   if (!frictions_.empty()) now_.places.emplace(frictions_.size(), 0.0);
   turn_directions();
   for (const int i : order_)
@@ -145,8 +146,12 @@ std::vector<int> Motion<Real>::closed() const {
 template <class Real>
 std::vector<int> Motion<Real>::held() const {
   std::vector<int> list = closed();
-  for (const int i : frictions_)
-    if (contact(i) == Contact::kClosed) list.push_back(i);
+  for (const int i : frictions_) {
+    if (contact(i) == Contact::kClosed)
+      list.push_back(i);
+    else if (follows(i))
+      list.push_back(system_.index_of_following(i));
+  }
   return list;
 }
 
@@ -166,7 +171,10 @@ ContactPhase<Real>& Motion<Real>::phase_of(std::vector<int> closed) {
                                                             : Contact::kClosed);
   }
   for (const int i : key.closed)
-    if (system_.is_friction(i)) key.places.push_back((*now_.places)[place(i)]);
+    if (system_.is_friction(i))
+      key.places.push_back(system_.follows(i)
+                               ? spring_length(i - static_cast<int>(frictions_.size()))
+                               : (*now_.places)[place(i)]);
   KeptPhase& kept = phases_[key];
   kept.asked = ++asked_;
   if (kept.phase) return *kept.phase;

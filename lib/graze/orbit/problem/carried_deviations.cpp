@@ -18,6 +18,15 @@ Vector spring_push(const System& system, const Motion<double>& motion, int witho
   return push;
 }
 
+// What rubs behind a spring and follows its place from the start on does so in deviated motions
+// too.
+CarriedDeviations::CarriedDeviations(const System& system, Motion<double>& motion,
+                                     Deviations* deviations, ParameterDeviation* parameter)
+    : system_(system), motion_(motion), deviations_(deviations), parameter_(parameter) {
+  for (std::size_t k = 0; k < system.frictions.size() && deviations_; ++k)
+    if (const int i = static_cast<int>(system.stops.size() + k); motion.follows(i)) follow(i);
+}
+
 std::vector<int> CarriedDeviations::closed_now() const {
   std::vector<int> closed;
   for (std::size_t i = 0; i < system_.stops.size(); ++i)
@@ -25,6 +34,8 @@ std::vector<int> CarriedDeviations::closed_now() const {
   for (std::size_t k = 0; k < system_.frictions.size(); ++k)
     if (const int i = static_cast<int>(system_.stops.size() + k); motion_.is_closed(i))
       closed.push_back(i);
+    else if (motion_.follows(i))
+      closed.push_back(system_.index_of_following(i));
   return closed;
 }
 
@@ -96,9 +107,11 @@ void CarriedDeviations::stand(int i) {
   deviations_->qdot.noalias() -= friction.direction * left;
 }
 
-// Where the force is the same before and after, nothing jumps. Else to where the deviated motion
-// reaches the limit: the force is a share of the free acceleration.
+// Where the force is the same before and after, nothing jumps; behind a spring what rubs follows
+// its place from there on. Else to where the deviated motion reaches the limit: the force is a
+// share of the free acceleration.
 void CarriedDeviations::slip(int i) {
+  if (system_.friction(i).series) return follow(i);
   if (system_.friction(i).sliding == system_.friction(i).sticking) return;
   const ForceChange change = force_change(system_, motion_.flown().key(), i,
                                           motion_.flow().phase(motion_.instant()), rate_flown());
@@ -106,6 +119,12 @@ void CarriedDeviations::slip(int i) {
                                    change.by_qdot.transpose() * deviations_->qdot +
                                    change.by_delay * deviations_->delay;
   move_instant(*deviations_, rate_flown(), -reach / change.rate);
+}
+
+void CarriedDeviations::follow(int i) {
+  const Friction::Series& spring = *system_.friction(i).series;
+  deviations_->q -= spring.direction * (spring.row.transpose() * deviations_->q);
+  deviations_->qdot -= spring.direction * (spring.row.transpose() * deviations_->qdot);
 }
 
 Deviations CarriedDeviations::change_along(double flight, const std::vector<int>& closed) {
@@ -161,7 +180,14 @@ void CarriedDeviations::meet_at_once(const Arrival<double>& arrival) {
 // The derivative of q'+ = q'- - D (B^T D)^-1 (v- - target) over the stops that act.
 void CarriedDeviations::jump(const std::vector<ImpactShare<double>>& shares,
                              const Vector& qdot_before) {
-  if (parameter_) parameter_->jump(shares, qdot_before);
+  if (parameter_) {
+    parameter_->jump(shares, qdot_before);
+    Vector qdot = qdot_before;
+    for (const ImpactShare<double>& share : shares)
+      qdot -= share.impulse * stop(share.stop).direction();
+    for (const int i : closed_now())
+      if (system_.is_friction(i) && system_.friction(i).series) parameter_->hold_speed(i, qdot);
+  }
   if (!deviations_) return;
   std::vector<int> acting;
   Vector slopes(static_cast<Eigen::Index>(shares.size()));

@@ -87,6 +87,11 @@ void ParameterDeviation::stand(int i, const State& at, const State& rate) {
 
 void ParameterDeviation::slip(const PhaseKey& key, int i, bool forward, const State& at,
                               double theta, const State& rate) {
+  if (system_->friction(i).series) {
+    // What rubs had no speed before.
+    const Friction& rubs = system_->friction(i);
+    return follow(i, forward, {at.q, at.qdot + rubs.series->direction * rubs.row.dot(at.qdot)});
+  }
   const Friction &friction = system_->friction(i), &moved = tangent_->friction(i);
   if (friction.sliding == friction.sticking) return;
   const System loaded = under_friction(*system_, key),
@@ -108,6 +113,40 @@ void ParameterDeviation::slip(const PhaseKey& key, int i, bool forward, const St
                        change.by_delay * column_.delay[0] + by_parameter -
                        (forward ? moved.sticking : -moved.sticking);
   move_instant(column_, rate, Eigen::RowVectorXd::Constant(1, -reach / change.rate));
+}
+
+void ParameterDeviation::begin(const State& given, const MotionState<double>& start) {
+  for (std::size_t k = 0; k < system_->frictions.size(); ++k) {
+    const int i = static_cast<int>(system_->stops.size() + k);
+    if (!system_->frictions[k].series) continue;
+    const Contact contact = start.contacts[static_cast<std::size_t>(i)];
+    if (contact == Contact::kClosed)
+      hold_speed(i, given.qdot);
+    else
+      follow(i, contact == Contact::kForward, given);
+  }
+}
+
+// What rubs behind a spring is as far from its place from here on as the force tells, and as fast:
+// q+ = q - d (b.q - x). `at`: the state before.
+void ParameterDeviation::follow(int i, bool forward, const State& at) {
+  const Friction &friction = system_->friction(i), &moved = tangent_->friction(i);
+  const Friction::Series &spring = *friction.series, &rate = *moved.series;
+  const double length = (forward ? 1.0 : -1.0) * friction.sliding / spring.stiffness;
+  const double length_rate = (forward ? 1.0 : -1.0) / spring.stiffness *
+                             (moved.sliding - friction.sliding * rate.stiffness / spring.stiffness);
+  column_.q.col(0) -=
+      spring.direction * (spring.row.dot(column_.q.col(0)) + rate.row.dot(at.q) - length_rate) +
+      rate.direction * (spring.row.dot(at.q) - length);
+  hold_speed(system_->index_of_following(i), at.qdot);
+}
+
+// q'+ = q' - d b.q' of what is held from here on.
+void ParameterDeviation::hold_speed(int i, const Vector& qdot) {
+  const Vector& row = system_->row(i);
+  column_.qdot.col(0) -=
+      system_->direction(i) * (row.dot(column_.qdot.col(0)) + tangent_->row(i).dot(qdot)) +
+      tangent_->direction(i) * row.dot(qdot);
 }
 
 ParameterDeviation::Acting ParameterDeviation::acting(const std::vector<int>& stops) const {

@@ -147,6 +147,14 @@ State SectionMap::chart_rate(const System& system, const System& tangent, const 
   return {moved.col(0), moved.col(1)};
 }
 
+ParameterDeviation SectionMap::moved_start(const System& system, const System& tangent,
+                                           const State& at,
+                                           const MotionState<double>& start) const {
+  ParameterDeviation moved(system, tangent, chart_rate(system, tangent, at));
+  moved.begin(at, start);
+  return moved;
+}
+
 Matrix SectionMap::seen_by(const System& system) const {
   const Matrix* own = system.coordinates();
   return own ? Matrix(basis_.transpose() * *own) : Matrix(basis_.transpose());
@@ -213,7 +221,7 @@ std::optional<SectionMap::Image> SectionMap::image(const System& system, const V
   for (std::size_t k = 0; k < std::max<std::size_t>(tangents.size(), 1); ++k) {
     std::optional<ParameterDeviation> parameter;
     if (k < tangents.size())
-      parameter.emplace(system, *tangents[k], chart_rate(system, *tangents[k], chart->state));
+      parameter = moved_start(system, *tangents[k], chart->state, *start);
     TrajectorySegment segment = pass(system, *start, end, options_, k == 0 ? &deviations : nullptr,
                                      parameter ? &*parameter : nullptr);
     if (!segment.failure.empty()) return {};
@@ -264,7 +272,7 @@ std::optional<TrajectorySegment> SectionMap::follow_along(const System& system, 
   const std::optional<MotionState<double>> start = start_of(system, x, theta);
   if (!chart || !start) return {};
   Deviations deviations = start_deviations(system, *start, *chart, moves);
-  ParameterDeviation parameter(system, tangent, chart_rate(system, tangent, chart->state));
+  ParameterDeviation parameter = moved_start(system, tangent, chart->state, *start);
   SegmentOptions options = options_;
   options.along = SegmentDirection{direction, parameter_rate, &tangent};
   TrajectorySegment segment =
@@ -290,7 +298,7 @@ std::optional<SectionMap::Within> SectionMap::within(
   within.at = std::move(segment.end);
   within.state = {within.at.q, within.at.qdot};
   for (const System* tangent : tangents) {
-    ParameterDeviation parameter(system, *tangent, chart_rate(system, *tangent, chart->state));
+    ParameterDeviation parameter = moved_start(system, *tangent, chart->state, *start);
     if (!pass(system, *start, end, options_, nullptr, &parameter).failure.empty()) return {};
     within.by_parameters.push_back(parameter.value());
   }

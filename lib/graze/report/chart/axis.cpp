@@ -197,6 +197,8 @@ const std::map<std::string, std::string>& quantity_names() {
       {"friction.static_coefficient", "coefficient of static friction"},
       {"friction.normal_force", "normal force"},
       {"friction.speed", "speed of the belt"},
+      {"friction.series", "spring in series with the friction"},
+      {"friction.parallel", "spring beside the friction"},
       {"friction.position", "position of the friction"},
       {"friction.shape", "mode shape at the friction"},
       {"forcing.position", "position of the force"},

@@ -304,13 +304,24 @@ std::string probe_text(const Scene& scene, const Probe& probe) {
 
 std::string friction_text(const Scene& scene, std::size_t k, const TextUnits& in) {
   const DryFriction& friction = scene.frictions[k];
+  const auto force = [&](double size) {
+    return friction.stop == 0
+               ? in.quantity(size, 6, "N")
+               : fmt::format("{} of the force of stop {}", digits_text(size, 6), friction.stop);
+  };
   std::string text = fmt::format("{} {}, slides against {}", scene.span() ? "at x =" : "at",
                                  scene.span()            ? in.quantity(friction.position, 6, "m")
                                  : friction.node.empty() ? "the shape given"
-                                                         : friction.node,
-                                 in.quantity(friction.sliding(), 6, "N"));
+                                 : friction.against.empty()
+                                     ? friction.node
+                                     : friction.node + " against " + friction.against,
+                                 force(friction.sliding()));
   if (friction.sticking() != friction.sliding())
-    text += ", sticks up to " + in.quantity(friction.sticking(), 6, "N");
+    text += ", sticks up to " + force(friction.sticking());
+  if (friction.series > 0.0)
+    text += ", behind a spring of " + in.quantity(friction.series, 6, "N/m");
+  if (friction.parallel > 0.0)
+    text += ", beside a spring of " + in.quantity(friction.parallel, 6, "N/m");
   if (friction.speed != 0.0) text += ", from a belt at " + in.quantity(friction.speed, 6, "m/s");
   return text;
 }

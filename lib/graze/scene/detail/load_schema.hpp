@@ -56,6 +56,12 @@ void describe(auto& v, Of<DryFriction> auto& friction, const Scene& scene) {
            friction.static_coefficient);
   v.number(Key{"speed", "m/s", kAny, "along +u, of a belt that rubs there"}.or_else(),
            friction.speed);
+  v.number(Key{"parallel", "N/m", kNotNegative, "of a spring beside it"}.or_else(),
+           friction.parallel);
+  v.number(Key{"series", "N/m", kNotNegative,
+               "of a spring between the place and what rubs (a Jenkins element); 0: none"}
+               .or_else(),
+           friction.series);
 }
 
 void describe(auto& v, Of<SignalSource> auto& signal, const Scene&) {
@@ -91,12 +97,13 @@ void describe(auto& v, Of<SignalSource> auto& signal, const Scene&) {
   v.flag(Key{"repeat", "", kAny, "begin again behind the last instant; else the load is gone"}
              .or_else(),
          signal.repeats);
-  v.choice(with_spectrum(Key{"sides", "", kAny,
-                             "of the density: over frequencies from 0 on, or over negative ones too, "
-                             "which doubles it"}
-                             .or_else())
-               .or_else(),
-           signal.sides, kSpectrumSides);
+  v.choice(
+      with_spectrum(Key{"sides", "", kAny,
+                        "of the density: over frequencies from 0 on, or over negative ones too, "
+                        "which doubles it"}
+                        .or_else())
+          .or_else(),
+      signal.sides, kSpectrumSides);
   v.count(with_spectrum(Key{"seed", "", kSeed, "another one draws other phases"}).or_else("1"),
           signal.seed);
   v.number(with_spectrum(Key{"duration", "s", kPositive,
@@ -122,7 +129,8 @@ void describe_harmonic(auto& v, auto& forcing, const Scene& scene, const auto& f
                    "`[matrices]` only; `\"none\"`"),
           "point: a force at one point; base: displacement of the clamp and of all supports, "
           "or of the ground; distributed: force per length; modal: modal forces "
-          "`participation` times amplitude; load: forces `load` times amplitude; support: displacement of "
+          "`participation` times amplitude; load: forces `load` times amplitude; support: "
+          "displacement of "
           "the far end of the springs to the ground at one mass, or of a held degree of freedom or "
           "set; none: no force, "
           "only the frequency of stops that move"}
@@ -158,8 +166,9 @@ void describe_harmonic(auto& v, auto& forcing, const Scene& scene, const auto& f
                .fixed()
                .where(!timed, of_signal),
            forcing.order);
-  v.number(Key{"phase", "rad", kAny, "psi, forcing phase at t = 0"}.or_else().where(!timed, of_signal),
-           forcing.phase);
+  v.number(
+      Key{"phase", "rad", kAny, "psi, forcing phase at t = 0"}.or_else().where(!timed, of_signal),
+      forcing.phase);
   v.table({"signal", Form::kInline}, forcing.signal);
 }
 
@@ -186,9 +195,8 @@ void describe(auto& v, Of<HarmonicLoad> auto& forcing, const Scene& scene) {
 }
 
 void describe(auto& v, Of<Forcing> auto& forcing, const Scene& scene) {
-  describe_harmonic(v, forcing, scene, [&] {
-    describe_frequency(v, forcing.signal ? nullptr : &forcing.frequency);
-  });
+  describe_harmonic(v, forcing, scene,
+                    [&] { describe_frequency(v, forcing.signal ? nullptr : &forcing.frequency); });
 }
 
 }  // namespace graze

@@ -13,7 +13,8 @@ bool has_same_sliding(const Orbit& a, const Orbit& b);
 // The change at which the shortest piece of sliding or sticking of this orbit begins to exist.
 SpecialKind kind_of_change(const Orbit& orbit);
 
-// Whether sliding ends somewhere with a speed that hardly falls: it is about not to end there.
-bool ends_as_a_tangent(const Orbit& orbit);
+// The change that an orbit is about to have: where sliding ends with a speed that hardly falls, it
+// is about not to end there; a piece that hardly lasts is about to vanish. nullopt: neither.
+std::optional<SpecialKind> what_hardly_lasts(const Orbit& orbit);
 
 }  // namespace graze

@@ -124,9 +124,9 @@ void ConstrainedStructure<Real>::reduce(const System& system, const std::vector<
       for (Real& part : basis.col(j))
         if (abs(part) <= rounding) part = 0;
     reduced.omega = factors.values.reverse();
-    // Within the error of the singular values a mode is free.
-    const Real smallest =
-        Real(static_cast<int>(n)) * std::numeric_limits<Real>::epsilon() * reduced.omega[m - 1];
+    // Within the error of the singular values, that of forming w U, a mode is free.
+    const Real smallest = Real(static_cast<int>(n)) * std::numeric_limits<Real>::epsilon() *
+                          whole.omega.maxCoeff();
     for (Real& w : reduced.omega)
       if (w <= smallest) w = 0;
     stretched = factors.left.rowwise().reverse() * reduced.omega.asDiagonal();

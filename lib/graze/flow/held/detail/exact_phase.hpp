@@ -60,8 +60,9 @@ class ExactPhase : public ContactPhase<Real> {
     FirstZero<Real> zero;
     bool forward = false;
   };
-  // The first slip of a friction that sticks.
-  Slip first_slip(int friction, const Real& window, const Flight<Real>* flight) const;
+  // The first slip of a friction that sticks. `came`: kCameForward or kCameBackward where it exerts
+  // all that it can at the start, and less from then on.
+  Slip first_slip(int friction, const Real& window, int came, const Flight<Real>* flight) const;
   // Sets the curve to that of this observable; returns whether its terms do not depend on the
   // window.
   virtual bool set_curve(ArcCurve<Real>& curve, const Observable<Real>& observable,

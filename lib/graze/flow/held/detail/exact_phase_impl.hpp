@@ -71,7 +71,8 @@ Arrival<Real> ExactPhase<Real>::first_event(const MotionState<Real>& now,
     const bool rubs = static_cast<std::size_t>(i) >= observables_.size() - limits_.size();
     if (rubs && at == Contact::kClear) continue;  // nothing presses there
     const int multiplicity = now.multiplicities[static_cast<std::size_t>(i)];
-    const Slip slip = is_closed && rubs ? first_slip(i, arrival.flight, &flight) : Slip{};
+    const Slip slip =
+        is_closed && rubs ? first_slip(i, arrival.flight, multiplicity, &flight) : Slip{};
     const FirstZero<Real> zero =
         is_closed ? (rubs ? slip.zero
                           : first_release(force(i, arrival.flight), flight.stop, flight.sure_of(i)))
@@ -97,8 +98,10 @@ Arrival<Real> ExactPhase<Real>::first_event(const MotionState<Real>& now,
 // Friction lets go forwards where what the structure exerts on it exceeds the limit, and backwards.
 template <class Real>
 typename ExactPhase<Real>::Slip ExactPhase<Real>::first_slip(int friction, const Real& window,
+                                                             int came,
                                                              const Flight<Real>* flight) const {
   const StopSignal never;
+  const StopSignal& stop = flight ? flight->stop : never;
   const auto place = static_cast<std::size_t>(friction);
   const Observable<Real>& limit = limits_[place - (observables_.size() - limits_.size())];
   Slip first;
@@ -106,7 +109,17 @@ typename ExactPhase<Real>::Slip ExactPhase<Real>::first_slip(int friction, const
   long long evaluations = 0;
   for (const bool forward : {true, false}) {
     const Observable<Real> left = limit + times(Real(forward ? -1 : 1), observables_[place]);
-    const FirstZero<Real> zero = first_release(curve(left, until), flight ? flight->stop : never);
+    // Where it stuck at its limit just now, this is left as the square of time, or, after an
+    // impact, with a speed.
+    const bool from_zero = came == (forward ? kCameForward : kCameBackward);
+    ArcCurve<Real> ahead;
+    set_curve(ahead, left, until, from_zero);
+    const auto leaves = [&] {
+      const CurvePoint<Real> rate = ahead.at(Real(0), 1);
+      return rate.value > rate.noise ? 1 : 2;
+    };
+    const FirstZero<Real> zero =
+        from_zero ? first_contact(ahead, leaves(), Real(0), stop) : first_release(ahead, stop);
     evaluations += zero.evaluations;
     if (zero.kind == ZeroKind::kNone) continue;
     first = {zero, forward};
@@ -133,7 +146,7 @@ bool ExactPhase<Real>::stays_quiet(int stop, const Real& duration) const {
   const bool rubs = static_cast<std::size_t>(stop) >= observables_.size() - limits_.size();
   const FirstZero<Real> zero = !structure_.holds(stop)
                                    ? first_contact(gap(stop, duration, false), 0)
-                               : rubs ? first_slip(stop, duration, nullptr).zero
+                               : rubs ? first_slip(stop, duration, 0, nullptr).zero
                                       : first_release(force(stop, duration));
   return zero.kind == ZeroKind::kNone;
 }

@@ -25,8 +25,7 @@ class CarriedDeviations {
  public:
   // Refers to all arguments; null: not requested.
   CarriedDeviations(const System& system, Motion<double>& motion, Deviations* deviations,
-                    ParameterDeviation* parameter)
-      : system_(system), motion_(motion), deviations_(deviations), parameter_(parameter) {}
+                    ParameterDeviation* parameter);
 
   bool any() const { return deviations_ || parameter_; }
   bool by_parameter() const { return parameter_; }
@@ -64,6 +63,7 @@ class CarriedDeviations {
                  int without = -1) const;
   void stand(int friction);
   void slip(int friction);
+  void follow(int friction);
   bool departed_from(int stop) const;
   Deviations change_along(double flight, const std::vector<int>& closed);
   void carry_parameter(const Arrival<double>& arrival);

@@ -45,6 +45,13 @@ class ParameterDeviation {
   // From where a friction of the undisturbed motion stands still, or slips under less force than it
   // stuck with, to its own.
   void stand(int friction, const State& at, const State& rate);
+  // What rubs behind springs is put to rest, or to where it follows its place, at a start that was
+  // `given` otherwise.
+  void begin(const State& given, const MotionState<double>& start);
+  // What rubs behind a spring follows its place from here on.
+  void follow(int friction, bool forward, const State& at);
+  // Of what rubs behind a spring, after an impulse has left this velocity. `i`: as in a PhaseKey.
+  void hold_speed(int i, const Vector& qdot);
   void slip(const PhaseKey& key, int friction, bool forward, const State& at, double theta,
             const State& rate);
   // The structure is put to rest on these stops, at the end of a chatter that was summed.

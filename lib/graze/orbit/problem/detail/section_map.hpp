@@ -50,8 +50,10 @@ class SectionMap {
   // Returns nullopt when the rows have turned so far that the coordinates no longer determine the
   // state.
   std::optional<Chart> chart_at(const System& system, const Vector& x) const;
-  // Derivative of the state by a parameter at a fixed x.
+  // Derivative of the state by a parameter at a fixed x, and of the motion that starts from there.
   State chart_rate(const System& system, const System& tangent, const State& at) const;
+  ParameterDeviation moved_start(const System& system, const System& tangent, const State& at,
+                                 const MotionState<double>& start) const;
   // Derivative of x by the state at its instant.
   Matrix seen(const System& system, const Matrix& q, const Matrix& qdot) const;
 
