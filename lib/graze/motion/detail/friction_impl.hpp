@@ -99,42 +99,6 @@ void Motion<Real>::slide(int i, bool forward, int multiplicity) {
   if (follows) follow(i);
 }
 
-// What rubs behind a spring that pulls with the whole force is as far from its place, and as fast.
-template <class Real>
-void Motion<Real>::follow(int i) {
-  const MetStop& spring = stop(system_.index_of_following(i));
-  now_.q += spring.direction * (Real(spring_length(i)) - spring.row.dot(now_.q));
-  now_.qdot -= spring.direction * spring.row.dot(now_.qdot);
-}
-
-// At a start: the spring pulls with no more than the friction, and what rubs is at rest unless its
-// place stretches the spring further. A start of that kind that was solved for misses the limit by
-// rounding; what is taken from the motion by beginning at it is of the square of that.
-template <class Real>
-void Motion<Real>::begin_series(int i) {
-  using std::abs;
-  const Friction& friction = system_.friction(i);
-  const MetStop& spring = stop(system_.index_of_following(i));
-  const Real pull = Real(friction.series->stiffness) * spring.row.dot(now_.q);
-  const Real speed = approach_speed(i) + spring.row.dot(now_.qdot);  // of its place
-  const Real limit = Real(friction.sliding);
-  const Real missed = std::sqrt(std::numeric_limits<double>::epsilon()) * limit;
-  const bool stretches = pull > 0 ? speed > 0 : speed < 0;
-  const bool slides = stretches && abs(pull) >= limit - missed;
-  if (slides || abs(pull) > limit) slide(i, pull > 0, 0);
-  if (!slides) stand(i);
-}
-
-// An impact moves the place alone.
-template <class Real>
-void Motion<Real>::judge_series(int i, Jumped what) {
-  if (contact(i) == Contact::kClear) return begin_series(i);
-  if (contact(i) == Contact::kClosed || what != Jumped::kVelocities) return;
-  follow(i);
-  const Real speed = approach_speed(i);
-  if (contact(i) == Contact::kForward ? !(speed > 0) : !(speed < 0)) stand(i);
-}
-
 // Bound on the rounding of a speed of sliding, also by that of the instant, m/s.
 template <class Real>
 Real Motion<Real>::sliding_rounding(int i) const {

@@ -315,11 +315,7 @@ class Motion {
            (contact(friction) == Contact::kLocked &&
             multiplicity(friction) == (forward ? kCameForward : kCameBackward));
   }
-  // Of the spring in series with friction that slides, m.
-  double spring_length(int friction) const {
-    const Friction& one = system_.friction(friction);
-    return (pushes(friction, true) ? one.sliding : -one.sliding) / one.series->stiffness;
-  }
+  double spring_length(int friction) const;
   void follow(int friction);
   void begin_series(int friction);
   void judge_series(int friction, Jumped what);

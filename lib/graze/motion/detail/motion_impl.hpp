@@ -13,6 +13,7 @@
 #include "graze/motion/detail/contact_audit_impl.hpp"
 #include "graze/motion/detail/contact_decision_impl.hpp"
 #include "graze/motion/detail/friction_impl.hpp"
+#include "graze/motion/detail/friction_series_impl.hpp"
 #include "graze/motion/detail/impact_impl.hpp"
 #include "graze/motion/detail/joint_impl.hpp"
 #include "graze/motion/detail/motion.hpp"
