@@ -180,6 +180,7 @@ Outcome orbit_outcome(const FoundOrbits& found, const FinderOptions& options, St
         "negative speed; --virtual lists these)",
         found.inadmissible, found.inadmissible == 1 ? "" : "s",
         found.inadmissible == 1 ? "is" : "are");
+  if (!options.impacts) message += "; motions without impacts are found with --impacts 0";
   return {"none", message};
 }
 
@@ -213,13 +214,13 @@ std::pair<long long, long long> orbits_of_open_stability(const OrbitBranches& tr
 }
 
 // The end of a sentence, for starts that led to no branch.
-std::string why_nothing_was_traced(const OrbitBranches& traced) {
+std::string why_nothing_was_traced(const OrbitBranches& traced, bool any) {
   if (traced.virtual_starts > 0)
     return "; every solution that was found is inadmissible: it penetrates a stop, or impacts at "
            "negative speed (--virtual traces these)";
   if (traced.starts == 1) return "; the one start led to no branch";
   if (traced.starts > 1) return fmt::format("; none of {} starts led to a branch", traced.starts);
-  return "";
+  return any ? "" : "; --impacts any takes what motions settle on";
 }
 
 }  // namespace
@@ -237,7 +238,7 @@ Outcome branch_outcome(const OrbitBranches& traced, const BranchOptions& options
             fmt::format("no ({}, {}) orbit was found for {} between {:g} and {:g}{}{}",
                         options.period, options.impacts, traced.parameter, options.from, options.to,
                         options.settled.empty() ? "" : ", and none that motions settle on",
-                        why_nothing_was_traced(traced))};
+                        why_nothing_was_traced(traced, !options.settled.empty()))};
   if (traced.cut_short > 0)
     return {"budget",
             fmt::format("{} of {} traces could not be followed to an end, so branches may be "

@@ -58,8 +58,8 @@ std::string line_of(const Look& look, double weight) {
 
 std::string mark_of(const Look& look, double scale) {
   // Crosses have no face: their strokes are as wide as two outlines.
-  const PointTypes types = types_of(look.mark);
-  const double width = types.filled == types.outline ? 2.0 * look.width : look.width;
+  const bool crosses = look.mark == MarkShape::kCross || look.mark == MarkShape::kPlus;
+  const double width = crosses ? 2.0 * look.width : look.width;
   return fmt::format("with points pt {} ps {:.2f}*mark lw {:.3g} lc rgb '{}'", point_type(look),
                      look.size * scale, width, look.colour);
 }

@@ -100,6 +100,7 @@ template <class Real>
 typename ExactPhase<Real>::Slip ExactPhase<Real>::first_slip(int friction, const Real& window,
                                                              int came,
                                                              const Flight<Real>* flight) const {
+  using std::abs;
   const StopSignal never;
   const StopSignal& stop = flight ? flight->stop : never;
   const auto place = static_cast<std::size_t>(friction);
@@ -115,11 +116,15 @@ typename ExactPhase<Real>::Slip ExactPhase<Real>::first_slip(int friction, const
     ArcCurve<Real> ahead;
     set_curve(ahead, left, until, from_zero);
     const auto leaves = [&] {
-      const CurvePoint<Real> rate = ahead.at(Real(0), 1);
-      return rate.value > rate.noise ? 1 : 2;
+      for (int order = 1; order <= 3; ++order)
+        if (const CurvePoint<Real> rate = ahead.at(Real(0), order); abs(rate.value) > rate.noise)
+          return order;
+      return 0;
     };
+    const int order = from_zero ? leaves() : 0;
+    if (from_zero && order == 0) continue;  // its place is held, too
     const FirstZero<Real> zero =
-        from_zero ? first_contact(ahead, leaves(), Real(0), stop) : first_release(ahead, stop);
+        from_zero ? first_contact(ahead, order, Real(0), stop) : first_release(ahead, stop);
     evaluations += zero.evaluations;
     if (zero.kind == ZeroKind::kNone) continue;
     first = {zero, forward};
