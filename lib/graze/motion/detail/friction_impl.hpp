@@ -142,16 +142,14 @@ template <class Real>
 void Motion<Real>::stand(int i) {
   const Contact before = contact(i);
   if (before == Contact::kTouching) return;
-  const int came = before == Contact::kForward    ? kCameForward
-                   : before == Contact::kBackward ? kCameBackward
-                                                  : 0;
   if (system_.friction(i).series) {
     // It is held by what its spring pulls with at this instant, its whole force.
     now_.qdot -= stop(i).direction * approach_speed(i);
-    stick(i, held());
-    set(i, Contact::kClosed, came);
-    return;
+    return stick(i, held());
   }
+  const int came = before == Contact::kForward    ? kCameForward
+                   : before == Contact::kBackward ? kCameBackward
+                                                  : 0;
   set(i, Contact::kTouching, came);
   recheck_ = true;
   note_rubbing();

@@ -18,6 +18,25 @@ double Motion<Real>::spring_length(int i) const {
   return (pushes(i, true) ? friction.sliding : -friction.sliding) / friction.series->stiffness;
 }
 
+// How the pull of springs leaves their limits from here on: where it is at one now, as a power of
+// time, and never where the place is held, too.
+template <class Real>
+void Motion<Real>::note_series() {
+  using std::abs;
+  for (const int i : frictions_) {
+    const Friction& friction = system_.friction(i);
+    if (!friction.series || contact(i) != Contact::kClosed) continue;
+    const int spring = system_.index_of_following(i);
+    const Real pull = Real(friction.series->stiffness) * stop(spring).row.dot(now_.q);
+    const Real rounding = 64 * std::numeric_limits<double>::epsilon() * Real(friction.sliding);
+    now_.multiplicities[static_cast<std::size_t>(i)] =
+        !is_independent(spring, held())                 ? kHeldIdle
+        : abs(pull) < Real(friction.sliding) - rounding ? 0
+        : pull > 0                                      ? kCameForward
+                                                        : kCameBackward;
+  }
+}
+
 // What rubs behind a spring that pulls with the whole force is as far from its place, and as fast.
 template <class Real>
 void Motion<Real>::follow(int i) {

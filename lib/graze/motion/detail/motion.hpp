@@ -281,9 +281,8 @@ class Motion {
   static int first_of(const ContactPhase<Real>& phase);
   Arrival<Real> stay();
   Arrival<Real> search(const Real& until, const Real& horizon);
-  // The shares of stops, then of friction at rest, in pushes, m/s^2: contact forces, and
-  // accelerations that are left, with the rounding of the pushes, and with that of the shares too;
-  // what is left of the limits of friction.
+  // The shares of stops, then of friction at rest, in pushes, m/s^2: forces, accelerations that are
+  // left, the rounding of pushes, and of shares too; what is left of the limits of friction.
   struct PushShares {
     RealVector<Real> forces, into, rounding, own, acting, left;
     bool presses(Eigen::Index a) const { return forces[a] * own[a] > rounding[a]; }
@@ -316,6 +315,7 @@ class Motion {
             multiplicity(friction) == (forward ? kCameForward : kCameBackward));
   }
   double spring_length(int friction) const;
+  void note_series();
   void follow(int friction);
   void begin_series(int friction);
   void judge_series(int friction, Jumped what);

@@ -282,6 +282,7 @@ Arrival<Real> Motion<Real>::stay() {
 // The first event along the arc that starts now.
 template <class Real>
 Arrival<Real> Motion<Real>::search(const Real& until, const Real& horizon) {
+  if (!frictions_.empty()) note_series();
   departure_ = now_;
   ContactPhase<Real>& phase = start_phase();
   if (!phase.refusal().empty()) {

@@ -71,6 +71,7 @@ Arrival<Real> ExactPhase<Real>::first_event(const MotionState<Real>& now,
     const bool rubs = static_cast<std::size_t>(i) >= observables_.size() - limits_.size();
     if (rubs && at == Contact::kClear) continue;  // nothing presses there
     const int multiplicity = now.multiplicities[static_cast<std::size_t>(i)];
+    if (rubs && is_closed && multiplicity == kHeldIdle) continue;
     const Slip slip =
         is_closed && rubs ? first_slip(i, arrival.flight, multiplicity, &flight) : Slip{};
     const FirstZero<Real> zero =
