@@ -33,6 +33,7 @@ std::vector<Observable<double>> observables_of(const System& system, const Phase
   std::vector<Observable<double>> list = structure.observables(system);
   const std::vector<Observable<double>> depths = depths_of(system, key, given);
   for (std::size_t c = 0; c < structure.constrained.size(); ++c) {
+    if (system.follows(structure.constrained[c])) continue;  // nobody asks for that force
     const auto column = static_cast<Eigen::Index>(c);
     const Vector share = structure.shares.col(column) / structure.rows.col(column).squaredNorm();
     Observable<double>& seen = list[static_cast<std::size_t>(structure.constrained[c])];
