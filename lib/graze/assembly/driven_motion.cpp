@@ -15,7 +15,7 @@ namespace graze {
 namespace {
 
 // Roundings by which a row may miss being a sum of others, and a motion of the modes one of a stop.
-constexpr double kRoundings = 64.0 * std::numeric_limits<double>::epsilon();
+constexpr double kPlaceRounding = 64.0 * std::numeric_limits<double>::epsilon();
 
 // A value, and beside it its derivative along a direction of the scene, zero without one.
 template <class Value>
@@ -31,7 +31,7 @@ std::vector<std::size_t> independent_rows(const std::vector<Vector>& rows) {
     Vector rest = rows[i];
     for (int pass = 0; pass < 2; ++pass)
       for (const Vector& one : basis) rest -= one.dot(rest) * one;
-    if (!(rest.norm() > kRoundings * rows[i].norm())) continue;
+    if (!(rest.norm() > kPlaceRounding * rows[i].norm())) continue;
     chosen.push_back(i);
     basis.push_back(rest.normalized());
   }
@@ -69,7 +69,7 @@ class FollowedStops {
     for (std::size_t i = 0; i < all_.size(); ++i) {
       const double wanted = stops[static_cast<Eigen::Index>(i)], got = all_[i].dot(motion);
       const double size = std::abs(wanted) + all_[i].norm() * motion.norm();
-      if (std::abs(wanted - got) > kRoundings * static_cast<double>(all_.size()) * size) return i;
+      if (std::abs(wanted - got) > kPlaceRounding * static_cast<double>(all_.size()) * size) return i;
     }
     return {};
   }
@@ -271,7 +271,7 @@ class DriveSum {
   // A structure that would move with its stops by itself is left at rest, not to rounding.
   static void clear_rounding(const Vector& part, Vector& whole) {
     for (Eigen::Index j = 0; j < whole.size(); ++j)
-      if (std::abs(whole[j]) <= kRoundings * std::abs(part[j])) whole[j] = 0.0;
+      if (std::abs(whole[j]) <= kPlaceRounding * std::abs(part[j])) whole[j] = 0.0;
   }
 
   static Rated<Harmonic> carried_by(const FollowedStops& followed, const Harmonic& motion,
